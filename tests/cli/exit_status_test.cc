@@ -102,6 +102,34 @@ TEST(ExitStatus, IsOneWhereTheOutputCannotGo) {
   EXPECT_EQ(folder.files(), std::vector<std::string>{"folder.obj"});
 }
 
+TEST(ExitStatus, IsTwoForTwoOutputsOfTheSameName) {
+  const TemporaryFolder folder;
+  const std::string mesh = data_file("blob.obj");
+  write_text(folder / "t.png", "pixels");
+  write_text(folder / "a.mtl", "newmtl red\nmap_Kd t.png\n");
+  write_text(folder / "a.obj", "mtllib a.mtl\n" + read_text(data_file("blob.obj")));
+  fs::create_directory(folder / "out");
+  const std::vector<std::string> before = folder.files();
+  const std::vector<std::vector<std::string>> cases{
+      {"lod", mesh, "--faces", "100,50", "-o", "q_{i}.ply", "--json", "q_1.ply"},
+      {"lod", mesh, "--faces", "100,50", "-o", "q_{i}.gltf", "--json", "q_1.bin"},
+      {"convert", mesh, "y.gltf", "--json", "y.bin"},
+      {"convert", mesh, "y.ply", "--json", "./y.ply"},
+      {"simplify", mesh, "-o", "y.gltf", "--faces", "500", "--json", "y.bin"},
+      {"simplify", mesh, "-o", "y.gltf", "--faces", "500", "--record", "y.bin"},
+      {"simplify", "a.obj", "-o", "out/b.obj", "--faces", "500", "--json", "out/t.png"},
+      {"polish", mesh, mesh, "-o", "y.gltf", "--json", "y.bin"}};
+  for (std::vector<std::string> arguments : cases) {
+    const std::string file = arguments.back();
+    arguments.emplace_back("--quiet");
+    RunOptions here;
+    here.folder = folder.path();
+    expect_failure(whittle(arguments, here), 2, {file});
+    EXPECT_EQ(folder.files(), before) << file;
+    EXPECT_TRUE(fs::is_empty(folder / "out")) << file;
+  }
+}
+
 TEST(ExitStatus, IsOneOnAFullDisk) {
   const TemporaryFolder folder;
   const std::string mesh = data_file("knot.ply");

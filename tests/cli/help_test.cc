@@ -84,6 +84,13 @@ TEST(Help, GivesEveryOptionADefault) {
   }
 }
 
+TEST(Help, NamesNoWordOfOutThatIsNotReplaced) {
+  for (const std::string& sub : subcommands()) {
+    const bool is_replaced = sub == "simplify";
+    EXPECT_EQ(whittle({sub, "--help"}).out.find("{stem}") != std::string::npos, is_replaced) << sub;
+  }
+}
+
 TEST(Help, SaysWhatTheDocumentationSays) {
   for (const std::string& sub : subcommands()) {
     const std::string help = whittle({sub, "--help"}).out;

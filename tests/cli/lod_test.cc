@@ -179,6 +179,17 @@ TEST(Lod, SaysWhichLevelsAreNotReached) {
   EXPECT_THAT(outcome.err, testing::HasSubstr("2 levels not reached"));
 }
 
+TEST(Lod, GoesAsFarAsPossibleForAShareOfNothing) {
+  const TemporaryFolder folder;
+  for (const std::string option : {"--face-ratios", "--ratios"}) {
+    const std::vector<std::string> levels{"lod", data_file("blob.obj"), option, "50%,0.001%", "-o", folder / "{i}.ply"};
+    const Outcome outcome = whittle(levels);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome;
+    EXPECT_THAT(outcome.err, testing::HasSubstr("1 level not reached: the last one has 4 faces, and the pairs left"));
+    EXPECT_EQ(io::read_mesh(folder / "1.ply").mesh.faces.size(), 4U);
+  }
+}
+
 TEST(Lod, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   const std::string mesh = data_file("cubes.obj");

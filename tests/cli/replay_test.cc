@@ -135,6 +135,7 @@ TEST(ReplayCommand, SaysWhatIsWrong) {
   expect_failure(replay({bare, "--at", "1", "--input", data_file("terrain.ply")}), 4, {"is not the mesh of"});
   expect_failure(replay({mesh, "--at", "1"}), 4, {"no recording"});
   expect_failure(replay({folder / "missing", "--at", "1"}), 4, {"cannot be opened"});
+  expect_failure(replay({folder.path().string(), "--at", "1"}), 4, {"is a folder, not a file"});
   write_text(folder / "half", read_text(rec).substr(0, 5000));
   expect_failure(replay({folder / "half", "--at", "1"}), 4, {"not complete"});
   std::string damaged = read_text(rec);

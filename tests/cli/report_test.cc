@@ -299,6 +299,7 @@ TEST_F(ReportCommand, SaysWhatIsWrong) {
   expect_usage_error(report({mesh, "-o", mesh}), {"--force"});
   EXPECT_EQ(report({data_file("cubes.obj"), folder / "run.rec", "-o", out}).exit_code, 4);
   EXPECT_EQ(report({mesh, "-o", out, "--run", mesh}).exit_code, 4);
+  expect_failure(report({mesh, "-o", out, "--run", folder.path().string()}), 4, {"is a folder, not a file"});
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 

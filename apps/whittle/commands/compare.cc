@@ -246,7 +246,8 @@ ExitCode run_compare(const Given& /*given*/, CompareOptions options) {
                  " of the " + faces_text(input.read.mesh.faces.size()) +
                  ", so it had less to do, and what it lost counts as its error");
   }
-  write_report(options.common, compare_json(options, input, comparison), summary_of(input, comparison));
+  write_report(
+      options.common, [&] { return compare_json(options, input, comparison); }, summary_of(input, comparison));
   say_effort(talk, watch.seconds());
   return ExitCode::done;
 }

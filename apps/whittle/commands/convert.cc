@@ -68,8 +68,7 @@ ExitCode run_convert(const Given& /*given*/, ConvertCommand options) {
   files.protect(run.input.needed_files);
   write_result(files, output_of(options.output, options.files), run.input, mesh, talk, run.warnings);
   run.write_seconds = writing.seconds();
-  commit_with_report(files, options.common,
-                     options.common.json ? to_text(convert_json(options, run, watch.seconds())) : std::string());
+  commit_with_report(files, options.common, [&] { return convert_json(options, run, watch.seconds()); });
   talk.say(shown_output(options.output) + ": " + faces_text(mesh.faces.size()) + ", " +
            vertices_text(mesh.positions.size()) + " in " + seconds_text(watch.seconds()));
   say_effort(talk, watch.seconds());

@@ -131,8 +131,7 @@ ExitCode run_geomorph(const Given& given, GeomorphCommand options) {
   OutputFiles files(options.common.force);
   write_geomorph(options, geomorph, files, talk, run);
   run.write_seconds = writing.seconds();
-  commit_with_report(files, options.common,
-                     options.common.json ? to_text(geomorph_json(run, watch.seconds())) : std::string());
+  commit_with_report(files, options.common, [&] { return geomorph_json(run, watch.seconds()); });
   const std::string frames = options.n_frames ? counted(*options.n_frames, "frame", "frames") + " " : std::string();
   talk.say(shown_output(options.output) + ": " + frames + "from " + faces_text(run.n_fine_faces) + " to " +
            std::to_string(run.n_coarse_faces) + " in " + seconds_text(watch.seconds()));

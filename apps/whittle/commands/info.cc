@@ -182,7 +182,8 @@ ExitCode run_info(const Given& /*given*/, InfoOptions options) {
   const Stopwatch watch;
   const Findings findings = look_at(options, talk);
   for (const std::string& warning : findings.scene.read.warnings) talk.warning(about(findings.scene.name, warning));
-  write_report(options.common, info_json(options, findings), summary_of(findings));
+  write_report(
+      options.common, [&] { return info_json(options, findings); }, summary_of(findings));
   say_effort(talk, watch.seconds());
   return ExitCode::done;
 }

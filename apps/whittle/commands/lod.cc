@@ -171,7 +171,7 @@ std::vector<LodLevel> make_levels(const LodCommand& options, const LodRun& run, 
   return levels;
 }
 
-/// \throw UsageError if two levels would be written to the same file
+/// \throw UsageError if two files would be written to the same place
 void name_levels(const LodCommand& options, LodRun& run) {
   for (std::size_t i = 0; i < run.levels.size(); ++i) {
     LodLevel& level = run.levels[i];
@@ -181,6 +181,11 @@ void name_levels(const LodCommand& options, LodRun& run) {
       throw UsageError("two levels would be written to " + level.path + "; use '{i}' in --output");
     }
   }
+  if (is_one_file(options)) return;
+  std::vector<Output> outputs;
+  for (const LodLevel& level : run.levels) outputs.push_back({"--output", level.path});
+  if (options.common.json) outputs.push_back({"--json", *options.common.json});
+  check_outputs(outputs, {options.input}, options.common.force);
 }
 
 Json lod_json(LodCommand& options, const LodRun& run, double total_seconds) {
@@ -242,14 +247,12 @@ void write_files(LodCommand& options, const Talk& talk, const Stopwatch& since_s
     write_into_one_file(options, talk, files, run);
   } else {
     for (const LodLevel& level : run.levels) {
-      check_outputs({{"--output", level.path}}, {options.input}, options.common.force);
       write_result(files, output_of(level.path, options.files, options.compresses_gltf), run.input,
                    level.simplified.mesh, talk, run.warnings);
     }
   }
   run.write_seconds = writing.seconds();
-  commit_with_report(files, options.common,
-                     options.common.json ? to_text(lod_json(options, run, since_start.seconds())) : std::string());
+  commit_with_report(files, options.common, [&] { return lod_json(options, run, since_start.seconds()); });
 }
 
 /// \throw UsageError for one file of levels, if its nodes have levels already

@@ -279,8 +279,9 @@ ExitCode run_measure(const Given& /*given*/, MeasureOptions options) {
   if (options.worst_image) {
     files.write(*options.worst_image, [&](std::ostream& out) { out << measured.pictures->worst_png; });
   }
-  write_report(files, options.common, measure_json(reference, test, measured, options),
-               summary_of(reference, test, measured));
+  commit_with_report(
+      files, options.common, [&] { return measure_json(reference, test, measured, options); },
+      summary_of(reference, test, measured));
   say_effort(talk, watch.seconds());
   return ExitCode::done;
 }

@@ -82,9 +82,7 @@ void write_files(PolishCommand& options, const Talk& talk, const Stopwatch& sinc
   write_result(files, output_of(options.output, options.files, options.compresses_gltf), run.input, run.mesh, talk,
                run.warnings);
   run.write_seconds = watch.seconds();
-  const std::string json =
-      options.common.json ? to_text(polish_report(options, run, since_start.seconds())) : std::string();
-  commit_with_report(files, options.common, json);
+  commit_with_report(files, options.common, [&] { return polish_report(options, run, since_start.seconds()); });
 }
 
 void check(const PolishCommand& options) {

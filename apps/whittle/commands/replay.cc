@@ -160,8 +160,7 @@ ExitCode run_replay(const Given& /*given*/, ReplayCommand options) {
   OutputFiles files(options.common.force);
   files.protect(recorded.input.needed_files);
   write_levels(options, recorded, files, talk, run);
-  commit_with_report(files, options.common,
-                     options.common.json ? to_text(replay_json(run, watch.seconds())) : std::string());
+  commit_with_report(files, options.common, [&] { return replay_json(run, watch.seconds()); });
   const ReplayLevel& last = run.levels.back();
   const std::string what =
       options.series ? counted(run.levels.size(), "level", "levels") + ", the last of " + faces_text(last.n_faces)

@@ -86,9 +86,7 @@ ExitCode run_report(const Given& /*given*/, ReportCommand options) {
   if (options.png) write(*options.png, draw_png(options, made.shown, talk, facts));
   if (options.output) write(*options.output, page);
   write_frames(files, options.frames, made.shown, {options.view, options.png_size, options.common.threads}, talk);
-  commit_with_report(
-      files, options.common,
-      options.common.json ? to_text(report_json(options, facts, page.size(), watch.seconds())) : std::string());
+  commit_with_report(files, options.common, [&] { return report_json(options, facts, page.size(), watch.seconds()); });
   constexpr double per_megabyte = 1e6;
   constexpr double decimals = 10;
   const std::string size =
@@ -109,7 +107,8 @@ OptionRows report_rows(ReportCommand& options) {
   const auto set_view = [&options](std::string_view text) { options.view = parse_page_settings(text); };
   const auto none = [] { return OptionValue{}; };
   OptionRows rows{
-      meshes_argument(options.files, options.files_options),
+      meshes_argument(options.files, options.files_options,
+                      "several are the original and results of it, of which one may be a recording"),
       {.names = "-o,--output",
        .access = text(options.output, "OUT"),
        .help = "the page: an .html file, replaced if it exists, or '-' for standard output"},

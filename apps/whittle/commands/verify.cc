@@ -161,8 +161,9 @@ ExitCode run_verify(const Given& /*given*/, VerifyCommand options) {
   const Stopwatch watch;
   const VerifyRun run = verify_files(options, talk);
   const std::string wrong = problem(options, run);
-  write_report(options.common, verify_json(options, run, wrong.empty(), watch.seconds()),
-               run.verification.holds ? proven_text(run) : std::string());
+  write_report(
+      options.common, [&] { return verify_json(options, run, wrong.empty(), watch.seconds()); },
+      run.verification.holds ? proven_text(run) : std::string());
   talk.detail("read " + seconds_text(run.input.seconds + run.output.seconds) + ", verify " +
               seconds_text(run.verify_seconds));
   say_effort(talk, watch.seconds());

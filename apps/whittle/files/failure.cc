@@ -15,6 +15,8 @@ Failure current_failure() {
     throw;
   } catch (const UsageError& error) {
     return {ExitCode::usage, error.what()};
+  } catch (const io::OutputConflict& error) {
+    return {ExitCode::usage, error.what()};
   } catch (const io::ReadError& error) {
     return {ExitCode::unreadable, error.what()};
   } catch (const UnsupportedMesh& error) {

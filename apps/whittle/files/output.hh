@@ -49,6 +49,7 @@ class OutputFiles : public io::OutputFiles {
   /// Calls `fill` with a stream for the file. For "-" it is standard output, where everything is written at once and
   /// can't be undone.
   /// \throw io::WriteError that names the file, also if it is write-protected. UsageError if an input needs it.
+  ///        io::OutputConflict if it is among the files already.
   void write(const std::string& path, const std::function<void(std::ostream&)>& fill) override;
 
   /// Renames all files to their final names. \throw io::WriteError; Interrupted if a signal is pending.

@@ -146,25 +146,18 @@ void say_effort(const Talk& talk, double seconds) {
 
 std::string shown_output(const std::string& path) { return path == standard_stream ? standard_output_name : path; }
 
-void commit_with_report(OutputFiles& files, const CommonOptions& options, const std::string& json) {
-  const bool json_to_file = options.json && *options.json != standard_stream;
-  if (json_to_file) files.write(*options.json, [&json](std::ostream& out) { out << json; });
-  files.commit();
-  if (!json_to_file) print(json);
-}
-
-void write_report(const CommonOptions& options, const Json& json, const std::string& text) {
-  OutputFiles files(options.force);
-  write_report(files, options, json, text);
-}
-
-void write_report(OutputFiles& files, const CommonOptions& options, const Json& json, const std::string& text) {
+void commit_with_report(OutputFiles& files, const CommonOptions& options, const std::function<Json()>& json,
+                        const std::string& text) {
+  const std::string report = options.json ? to_text(json()) : std::string();
   const bool json_to_stream = options.json == standard_stream;
-  if (options.json && !json_to_stream) {
-    files.write(*options.json, [&json](std::ostream& out) { out << to_text(json); });
-  }
+  if (options.json && !json_to_stream) files.write(*options.json, [&report](std::ostream& out) { out << report; });
   files.commit();
-  print(json_to_stream ? to_text(json) : text);
+  print(json_to_stream ? report : text);
+}
+
+void write_report(const CommonOptions& options, const std::function<Json()>& json, const std::string& text) {
+  OutputFiles files(options.force);
+  commit_with_report(files, options, json, text);
 }
 
 }  // namespace whittle::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -71,13 +72,12 @@ void say_effort(const Talk& talk, double seconds);
 /// The name in messages: the path, or "standard output".
 std::string shown_output(const std::string& path);
 
-/// Completes the files of a run (`OutputFiles::commit`), with the report if --json names a file. Otherwise prints
-/// `json` to standard output. \param json empty if no report is wanted
-void commit_with_report(OutputFiles& files, const CommonOptions& options, const std::string& json);
-
-/// Writes the report where --json says. Prints `text`, the same for people, unless the report goes to standard output.
-void write_report(const CommonOptions& options, const Json& json, const std::string& text);
-/// Likewise, and completes the other files of the run (`OutputFiles::commit`).
-void write_report(OutputFiles& files, const CommonOptions& options, const Json& json, const std::string& text);
+/// Completes the files of a run (`OutputFiles::commit`), with the report where --json says.
+/// \param json called if a report is wanted
+/// \param text the same for people, printed unless the report goes to standard output
+void commit_with_report(OutputFiles& files, const CommonOptions& options, const std::function<Json()>& json,
+                        const std::string& text = {});
+/// Likewise for a run without other files.
+void write_report(const CommonOptions& options, const std::function<Json()>& json, const std::string& text = {});
 
 }  // namespace whittle::app

@@ -167,10 +167,10 @@ OptionRow mesh_argument(std::string& path, const FileOptions& options) {
   return file_argument("IN", path, mesh_file(options));
 }
 
-OptionRow meshes_argument(std::vector<std::string>& paths, const FileOptions& options) {
+OptionRow meshes_argument(std::vector<std::string>& paths, const FileOptions& options, const std::string& several) {
   return {.names = "IN",
           .access = texts(paths),
-          .help = mesh_file(options) + "; several if OUT has '{stem}'",
+          .help = mesh_file(options) + "; " + several,
           .is_required = true,
           .takes_several = true};
 }

@@ -64,8 +64,8 @@ OptionRow output_row(std::string& path, const std::string& meaning);
 OptionRow file_argument(const std::string& name, std::string& path, const std::string& meaning);
 /// The argument IN: the mesh file to work on. Its help lists the formats. \param options whether documents are read
 OptionRow mesh_argument(std::string& path, const FileOptions& options);
-/// Likewise for one file or several.
-OptionRow meshes_argument(std::vector<std::string>& paths, const FileOptions& options);
+/// Likewise for one file or several. \param several what its help says of several
+OptionRow meshes_argument(std::vector<std::string>& paths, const FileOptions& options, const std::string& several);
 
 /// The rows with a title of the group.
 OptionRows in_group(OptionRows rows, const std::string& group);

@@ -130,11 +130,6 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 
 bool is_glb(std::string_view bytes) { return bytes.starts_with(glb_magic); }
 
-bool has_gltf_extension(const std::filesystem::path& path) {
-  const std::string extension = lower_case(path.extension().string());
-  return extension == ".gltf" || extension == ".glb";
-}
-
 Asset::Asset(std::unique_ptr<Content> content) : content_(std::move(content)) {}
 Asset::Asset(Asset&& other) noexcept = default;
 Asset& Asset::operator=(Asset&& other) noexcept = default;

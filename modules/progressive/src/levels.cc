@@ -8,11 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "whittle/engine/attributes.hh"
 #include "whittle/engine/detail/bisect.hh"
 #include "whittle/engine/two_sided_sheets.hh"
 #include "whittle/metrics/certify.hh"
-#include "whittle/polish/fit_attributes.hh"
 #include "whittle/progressive/replay.hh"
 
 namespace whittle::progressive {
@@ -38,7 +36,6 @@ class LevelSearch {
 
  private:
   bool is_within(double error, const Decimation& level) const;
-  void fit_attributes_of(ProvenLevel& level) const;
   Decimation level_after(std::size_t n_contractions) {
     replay_.go_to(replay_.level_after(n_contractions));
     return replay_.decimation();
@@ -85,15 +82,8 @@ ProvenLevel LevelSearch::find(double error) {
     static_cast<Decimation&>(level) = std::move(polished);
     level.polish = polish;
   }
-  if (options_.polish_passes > 0U) fit_attributes_of(level);
+  fit_attributes_of(mesh_, options_, level);
   return level;
-}
-
-void LevelSearch::fit_attributes_of(ProvenLevel& level) const {
-  const AttributeFitReport report =
-      fit_attributes(mesh_, wedge_map(mesh_, level.vertex_map, level.face_origins), level.mesh,
-                     {options_.decimate.normals == Normals::keep, options_.decimate.threads});
-  level.n_folded_texture_faces = report.n_folded_faces;
 }
 
 /// \pre `mesh` has no two-sided sheets

@@ -16,12 +16,10 @@ struct PicturePair {
   Picture simplified;
   ErrorMap flip;
   SquaredError model_error;
-  SquaredError picture_error;
 };
 
 void measure(PicturePair& pair, double pixels_per_degree) {
   pair.model_error = squared_error(pair.original, pair.simplified, PixelSet::model);
-  pair.picture_error = squared_error(pair.original, pair.simplified, PixelSet::all);
   pair.flip = flip_map(pair.original, pair.simplified, pixels_per_degree);
 }
 
@@ -29,25 +27,22 @@ void measure(PicturePair& pair, double pixels_per_degree) {
 class Summary {
  public:
   void add(const View& view, PicturePair pair) {
-    const ViewComparison result{view, pair.model_error.psnr(), pair.picture_error.psnr(), pair.flip.mean()};
+    const ViewComparison result{view, pair.model_error.psnr(), pair.flip.mean()};
     comparison_.views.push_back(result);
     all_ += pair.model_error;
     if (comparison_.views.size() > 1 && result.psnr >= comparison_.worst_psnr) return;
     comparison_.worst_psnr = result.psnr;
-    comparison_.worst_view = comparison_.views.size() - 1;
     worst_ = std::move(pair);
   }
 
   Comparison finish() {
     for (const ViewComparison& view : comparison_.views) {
       comparison_.mean_psnr += view.psnr;
-      comparison_.mean_picture_psnr += view.picture_psnr;
       comparison_.mean_flip += view.flip;
       comparison_.worst_flip = std::max(comparison_.worst_flip, view.flip);
     }
     const auto n = static_cast<double>(comparison_.views.size());
     comparison_.mean_psnr /= n;
-    comparison_.mean_picture_psnr /= n;
     comparison_.mean_flip /= n;
     comparison_.pooled_psnr = all_.psnr();
     comparison_.worst_png = write_png(side_by_side({worst_.original, worst_.simplified, picture_of(worst_.flip)}));

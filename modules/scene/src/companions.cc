@@ -20,10 +20,8 @@ std::string copied(io::OutputFiles& files, const fs::path& from, const fs::path&
   if (!fs::exists(from / name, error)) return fs::exists(to / name, error) ? "" : "not there";
   const std::optional<std::string> content = io::content_of(from / name);
   if (!content) return "can't be read";
-  if (files.has((to / name).string())) return "";  // levels of one input have the same companions
-  is_new = !fs::exists(to / name, error);
-  if (!is_new) return io::content_of(to / name) == content ? "" : "there is another one";
-  files.write_with_folders((to / name).string(), *content);
+  if (fs::exists(to / name, error)) return io::content_of(to / name) == content ? "" : "there is another one";
+  is_new = files.write_with_folders((to / name).string(), *content);
   return "";
 }
 

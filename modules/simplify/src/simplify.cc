@@ -67,19 +67,6 @@ bool is_better(const IndexedMesh& input, const Simplification& other, const Simp
   return is_nearer(input, other.mesh, result.mesh);
 }
 
-/// The attributes are fitted where positions are.
-void fit_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled, Simplification& result) {
-  const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
-  if (is_cancelled || settled.polish_passes == 0U) return;
-  const Stopwatch watch;
-  const AttributeFitReport report =
-      fit_attributes(input, wedge_map(input, result.vertex_map, result.face_origins), result.mesh,
-                     {settled.decimate.normals == Normals::keep, settled.decimate.threads});
-  result.n_folded_texture_faces = report.n_folded_faces;
-  result.steps.fits_attributes = true;
-  result.polish_seconds += watch.seconds();
-}
-
 void finish_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled, Simplification& result) {
   fit_attributes_of(input, settled, result);
   break_normals_of(input, settled, result);
@@ -109,6 +96,18 @@ PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOption
   const PolishResult result = DecimationPolisher(original).polish(options, decimation);
   break_normals_of(original, options, decimation);
   return result;
+}
+
+void fit_attributes_of(const IndexedMesh& original, const SimplifyOptions& options, Simplification& result) {
+  const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
+  if (is_cancelled || options.polish_passes == 0U) return;
+  const Stopwatch watch;
+  const AttributeFitReport report =
+      fit_attributes(original, wedge_map(original, result.vertex_map, result.face_origins), result.mesh,
+                     {options.decimate.normals == Normals::keep, options.decimate.threads});
+  result.n_folded_texture_faces = report.n_folded_faces;
+  result.steps.fits_attributes = true;
+  result.polish_seconds += watch.seconds();
 }
 
 Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
@@ -146,6 +145,20 @@ void check_levels(const IndexedMesh& mesh, const std::vector<DecimateTarget>& ta
           "the mesh has reached a target");
 }
 
+/// No run gets below 1: the levels to 0 are those to 1, with another reason for the stop.
+std::vector<Simplification> levels_to_zero(const IndexedMesh& mesh, std::vector<DecimateTarget> targets, Effort effort,
+                                           const SimplifyOptions& options) {
+  const auto one = targets.back().n_faces() ? DecimateTarget::faces(1) : DecimateTarget::vertices(1);
+  targets.pop_back();
+  const bool has_one = !targets.empty() && count_of(targets.back()) == 1;
+  if (!has_one) targets.push_back(one);
+  std::vector<Simplification> levels = simplify_to_levels(mesh, targets, effort, options);
+  if (levels.back().result.stop != StopReason::target) return levels;
+  if (has_one) levels.push_back(levels.back());
+  levels.back().result.stop = StopReason::exhausted;
+  return levels;
+}
+
 /// Multiples of the last target's count that come to the counts of the others, rounded up.
 std::vector<double> pauses_at(const std::vector<DecimateTarget>& targets) {
   std::vector<double> at;
@@ -162,6 +175,7 @@ std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const st
   check_levels(mesh, targets, options);
   if (const TwoSidedSheets sheets(mesh); sheets.any())
     return simplify_sheets_to_levels(sheets, targets, effort, options);
+  if (count_of(targets.back()) == 0) return levels_to_zero(mesh, targets, effort, options);
   SimplifyOptions settled = with_effort(effort, options, mesh, targets.front());
   settled.pauses->clear();
   SimplifyOptions without_flips = settled;

@@ -154,13 +154,12 @@ TEST(ValenceChange, OnABorderFourIsRegular) {
 
 TEST(ValenceChange, ToThreeEdgesInsideComesLast) {
   const ValenceChange change = inner_edge(6, 6, 4, 6);
-  EXPECT_TRUE(change.leaves_three());
-  EXPECT_FALSE(inner_edge(6, 6, 5, 6).leaves_three());
+  EXPECT_LT(inner_edge(6, 6, 5, 6).penalize(3, 0.5), 3 * 10);
   EXPECT_GT(change.penalize(0, 0.5), inner_edge(6, 6, 6, 6).penalize(1, 100));
   EXPECT_LT(change.penalize(0.1, 0.5), change.penalize(0.2, 0.5));
   ValenceChange on_border;
   on_border.add_after(3, true);
-  EXPECT_FALSE(on_border.leaves_three());
+  EXPECT_EQ(on_border.penalize(3, 0.5), 3);
 }
 
 // Shape ---------------------------------------------------------------------------------------------------------------

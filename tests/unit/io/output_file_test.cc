@@ -157,5 +157,44 @@ TEST_F(OutputFileTest, KeepsWhatInputsNeed) {
   EXPECT_FALSE(fs::exists(folder_ / "missing.bin"));
 }
 
+TEST_F(OutputFileTest, RefusesASecondFileOfTheSameName) {
+  fs::create_symlink("first.txt", folder_ / "link.txt");  // to what is not there yet
+  const std::string from_here = fs::relative(folder_ / "first.txt").string();
+  for (const std::string& second : {(folder_ / "first.txt").string(), (folder_ / "." / "first.txt").string(),
+                                    (folder_ / "link.txt").string(), from_here}) {
+    OutputFiles files;
+    const auto write = [&files](const std::string& path) {
+      files.write(path, [](std::ostream& out) { out << "text"; });
+    };
+    write(folder_ / "other.txt");
+    write(folder_ / "first.txt");
+    EXPECT_THROW(write(second), OutputConflict) << second;
+  }
+  EXPECT_EQ(files(), 1U) << "nothing but the link";
+}
+
+TEST_F(OutputFileTest, RefusesOtherBytesForASharedFile) {
+  const std::string shared = folder_ / "a" / "b" / "texture.png";
+  const auto fill = [](std::ostream& out) { out << "report"; };
+  {
+    OutputFiles files;
+    EXPECT_TRUE(files.write_with_folders(shared, "pixels"));
+    EXPECT_FALSE(files.write_with_folders(shared, "pixels"));
+    EXPECT_THROW(files.write_with_folders(shared, "other pixels"), OutputConflict);
+    EXPECT_THROW(files.write(shared, fill), OutputConflict);
+  }
+  EXPECT_EQ(files(), 0U);
+  {
+    OutputFiles files;
+    files.write(folder_ / "report.json", fill);
+    EXPECT_THROW(files.write_with_folders(folder_ / "report.json", "pixels"), OutputConflict);
+  }
+  EXPECT_EQ(files(), 0U);
+  OutputFiles files;
+  files.write_with_folders(shared, "pixels");
+  files.commit();
+  EXPECT_EQ(content(shared), "pixels");
+}
+
 }  // namespace
 }  // namespace whittle::io

@@ -86,13 +86,15 @@ TEST(DropDuplicateFaces, KeepsCoincidentFacesThatLookToOppositeSides) {
   EXPECT_EQ(mesh.faces.size(), 2U);
 }
 
-TEST(DropIsolatedVertices, AgreesWithBruteForceAndRemembersOrigins) {
+TEST(Repair, DropsIsolatedVerticesAndRemembersOrigins) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     IndexedMesh mesh = random_faces(seed, 40, 12);
+    drop_degenerate_faces(mesh);
+    drop_duplicate_faces(mesh);
     const IndexedMesh before = mesh;
     std::set<Index> used;
     for (const Triangle& face : mesh.faces) used.insert(face.begin(), face.end());
-    EXPECT_EQ(drop_isolated_vertices(mesh), 40 - used.size()) << "seed " << seed;
+    EXPECT_EQ(repair(mesh, false).isolated_vertices, 40 - used.size()) << "seed " << seed;
     EXPECT_EQ(mesh.origins, std::vector<Index>(used.begin(), used.end())) << "seed " << seed;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
       EXPECT_EQ(mesh.positions[v], before.positions[mesh.origins[v]]);

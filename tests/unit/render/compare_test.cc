@@ -60,9 +60,7 @@ TEST_F(Compare, SumsUpTheViews) {
     const Picture a = draw(boxes.original(), view, {64, 4});
     const Picture b = draw(boxes.other(), view, {64, 4});
     EXPECT_EQ(found.views[i].psnr, psnr(a, b));
-    EXPECT_EQ(found.views[i].picture_psnr, psnr(a, b, PixelSet::all));
     EXPECT_EQ(found.views[i].flip, flip(a, b));
-    EXPECT_LE(found.views[i].psnr, found.views[i].picture_psnr);
     psnr_sum += psnr(a, b);
     flip_sum += flip(a, b);
     all += squared_error(a, b);
@@ -73,13 +71,15 @@ TEST_F(Compare, SumsUpTheViews) {
   EXPECT_EQ(found.mean_flip, flip_sum / 9);
   EXPECT_EQ(found.pooled_psnr, all.psnr());
   EXPECT_LT(found.pooled_psnr, 60);
-  EXPECT_EQ(found.worst_psnr, found.views[found.worst_view].psnr);
 }
 
 TEST_F(Compare, GivesThePicturesOfTheWorstView) {
   const ComparedBoxes boxes;
   const Comparison found = boxes(small_pictures());
-  const View& view = found.views[found.worst_view].view;
+  const auto is_worst = [&](const ViewComparison& view) { return view.psnr == found.worst_psnr; };
+  const auto worst = std::find_if(found.views.begin(), found.views.end(), is_worst);
+  ASSERT_NE(worst, found.views.end());
+  const View& view = worst->view;
   const Picture a = draw(boxes.original(), view, {64, 4});
   const Picture b = draw(boxes.other(), view, {64, 4});
   EXPECT_EQ(found.worst_png, write_png(side_by_side({a, b, picture_of(flip_map(a, b))})));

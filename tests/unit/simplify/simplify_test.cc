@@ -241,6 +241,28 @@ TEST(SimplifyToLevels, IsAsAccurateAsARunToEachLevel) {
   }
 }
 
+TEST(SimplifyToLevels, TakesACountOfNothingAsFarAsPossible) {
+  const auto faces_of = [](const IndexedMesh& mesh, const std::vector<std::uint64_t>& counts) {
+    std::vector<DecimateTarget> targets;
+    for (const std::uint64_t n : counts) targets.push_back(DecimateTarget::faces(n));
+    std::vector<std::size_t> n_faces;
+    for (const Simplification& level : simplify_to_levels(mesh, targets)) n_faces.push_back(level.mesh.faces.size());
+    return n_faces;
+  };
+  using Counts = std::vector<std::size_t>;
+  const IndexedMesh grid = test::grid(8, 8);
+  EXPECT_EQ(faces_of(grid, {20, 0}), (Counts{20, 1}));
+  EXPECT_EQ(faces_of(grid, {20, 1, 0}), (Counts{20, 1, 1}));
+  EXPECT_EQ(faces_of(grid, {0}), Counts{1});
+  EXPECT_EQ(faces_of(test::sphere(2), {20, 1, 0}), (Counts{20, 4})) << "nothing is left after the second level";
+  const std::vector<Simplification> last =
+      simplify_to_levels(grid, {DecimateTarget::faces(20), DecimateTarget::faces(0)});
+  EXPECT_EQ(last.back().result.stop, StopReason::exhausted);
+  const std::vector<Simplification> vertices =
+      simplify_to_levels(grid, {DecimateTarget::vertices(20), DecimateTarget::vertices(0)});
+  EXPECT_EQ(vertices.back().mesh.positions.size(), 3U);
+}
+
 TEST(SimplifyToLevels, RejectsWhatIsNoDescent) {
   const IndexedMesh mesh = test::sphere(3);
   const auto rejects = [&](const std::vector<DecimateTarget>& targets) {

@@ -1,8 +1,6 @@
 #include "commands/recording/recording_input.hh"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -15,6 +13,7 @@
 #include "whittle/core/float32_positions.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/io/errors.hh"
+#include "whittle/io/whole_file.hh"
 #include "whittle/progressive/recording.hh"
 
 namespace whittle::app {
@@ -23,8 +22,7 @@ namespace {
 using progressive::Recording;
 
 Recording read_recording_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw io::ReadError(path, std::string("cannot be opened: ") + std::strerror(errno));
+  std::ifstream file = io::open_file(path, path);
   try {
     return progressive::read_recording(file);
   } catch (const progressive::RecordingError& error) {

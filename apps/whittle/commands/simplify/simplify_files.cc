@@ -107,7 +107,7 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
   record.write_seconds = watch.seconds();
   record.total_seconds = since_start.seconds();
   const Json json = report != nullptr || options.common.json ? simplify_json(options, record) : Json();
-  commit_with_report(files, options.common, options.common.json ? to_text(json) : std::string());
+  commit_with_report(files, options.common, [&json] { return json; });
   if (report != nullptr) *report = json;
 }
 

@@ -108,7 +108,8 @@ OptionRows simplify_rows(SimplifyCommand& options) {
                   .key = "strict"}};
   append(own, output_rows(options));
   rows.insert(after_targets, std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
-  rows.insert(rows.begin(), meshes_argument(options.inputs, options.files));
+  rows.insert(rows.begin(),
+              meshes_argument(options.inputs, options.files, "several if OUT has '{stem}', or with --join"));
   rows.push_back(engine_row(options.engine, rows));
   for (OptionRow& row : rows) {
     if (row.names != "--per-mesh") continue;

@@ -125,7 +125,7 @@ ExitCode run_each(const SimplifyCommand& command, const std::vector<SimplifyComm
     report["exit_status"] = static_cast<int>(code);
     json["runs"].push_back(std::move(report));
   }
-  write_report(command.common, json, "");
+  write_report(command.common, [&json] { return json; });
   return first_failure;
 }
 

@@ -55,8 +55,7 @@ class TriangleComplex {
   TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces, const Frame& frame,
                   unsigned threads);
 
-  /// The faces at v, for `as_face` to read. \pre `connect` has not been called
-  std::span<const Neighbour> listed_faces(Index v) const { return neighbours(v); }
+  /// A face at a vertex, as `neighbours` lists it until `connect` is called.
   static LinkEdge as_face(const Neighbour& listed) { return {listed.vertex, listed.edge}; }
 
   /// Turns the lists of faces into lists of neighbours, and numbers the edges.

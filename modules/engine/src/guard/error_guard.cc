@@ -168,8 +168,8 @@ bool ErrorGuard::find_support_in_list(const Vec3& point, double reach, Index& hi
   const std::size_t n_looks = std::min(n_looks_left_, faces_.size());
   for (Index face = 0; face < n_looks; ++face) {
     --n_looks_left_;
-    const auto& [vertices, corners, low, high] = faces_[face];
-    const bool is_beside = ((point - high).array() > reach).any() || ((low - point).array() > reach).any();
+    const auto& [vertices, corners, box] = faces_[face];
+    const bool is_beside = ((point - box.max()).array() > reach).any() || ((box.min() - point).array() > reach).any();
     if (is_beside || !is_within(corners, point, reach)) continue;
     hint = face;
     return true;

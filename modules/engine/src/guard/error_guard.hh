@@ -8,6 +8,7 @@
 #include "error/error_bound.hh"
 #include "error/point_supports.hh"
 #include "guard/guard.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/geometry/proof/prover.hh"
 
 namespace whittle {
@@ -45,7 +46,7 @@ class ErrorGuard : public Guard {
   struct FaceAfter {
     Triangle vertices;
     Corners corners;
-    Vec3 low, high;  ///< of its bounding box
+    Box box;
   };
   /// A part of an edge of the input, and a face near to each of its ends.
   struct Segment {
@@ -60,8 +61,7 @@ class ErrorGuard : public Guard {
   };
 
   void add(const Triangle& vertices, const Corners& corners) {
-    const auto& [a, b, c] = corners;
-    faces_.push_back({vertices, corners, a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+    faces_.push_back({vertices, corners, bounds_of(corners)});
   }
   void list_around(const ContractionProfile& profile);
   void list_affected();

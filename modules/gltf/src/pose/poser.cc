@@ -180,11 +180,6 @@ bool Poser::is_animated() const {
 
 std::string Poser::animation_name(std::size_t animation) const { return content_->animations.at(animation).name; }
 
-double Poser::duration(std::size_t animation) const {
-  const Animation& of = content_->animations.at(animation);
-  return of.end - of.begin;
-}
-
 std::vector<AnimationTime> Poser::moments(std::size_t n) const { return gltf::moments(content_->animations, n); }
 
 Pose Poser::rest() const { return {local_matrices(content_->model), content_->rig.weights_of_node}; }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "whittle/core/geometry/box.hh"
+
 namespace whittle::gltf {
 namespace {
 
@@ -149,14 +151,9 @@ void find_range(Encoded& of, const std::vector<double>& values) {
 
 std::optional<Grid> grid_of(const IndexedMesh& triangles) {
   if (triangles.positions.empty()) return {};
-  Vec3 low = triangles.positions.front();
-  Vec3 high = low;
-  for (const Vec3& position : triangles.positions) {
-    low = low.cwiseMin(position);
-    high = high.cwiseMax(position);
-  }
-  const double extent = (high - low).maxCoeff();
-  const double farthest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  const Box box = bounds_of(triangles.positions);
+  const double extent = box.sizes().maxCoeff();
+  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   if (!(extent > 0x1p-80)) return {};
   const int exponent = std::ilogb(extent) - grid_bits;
   if (exponent > 100 || farthest >= std::ldexp(largest_mantissa, exponent)) return {};

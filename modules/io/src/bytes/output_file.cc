@@ -37,8 +37,9 @@ fs::path follow_links(fs::path path) {
 
 }  // namespace
 
-OutputFile::OutputFile(fs::path path)
-    : path_(std::move(path)), target_(is_open_already(path_) ? path_ : follow_links(path_)) {
+fs::path OutputFile::target_of(const fs::path& path) { return is_open_already(path) ? path : follow_links(path); }
+
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(target_of(path_)) {
   std::error_code ignored;
   const fs::file_status status = fs::status(target_, ignored);
   if (fs::is_directory(status)) throw WriteError(path_.string(), "is a folder");

@@ -35,7 +35,8 @@ std::string file_identity(const std::string& path) {
     return std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino);
   }
   std::error_code error;
-  return std::filesystem::weakly_canonical(path, error).string();
+  const std::filesystem::path target = std::filesystem::absolute(OutputFile::target_of(path), error);
+  return std::filesystem::weakly_canonical(target, error).string();
 }
 
 void OutputFiles::protect(const std::vector<std::filesystem::path>& files) {
@@ -46,22 +47,45 @@ bool OutputFiles::is_protected(const std::string& path) const { return protected
 
 void OutputFiles::write(const std::string& path, const std::function<void(std::ostream&)>& fill) {
   if (is_protected(path)) throw WriteError(path, "an input needs this file");
+  if (!written_.insert(file_identity(path)).second) {
+    throw OutputConflict(path, "the run would write two files of this name; choose another name for one of them");
+  }
   files_.push_back(std::make_unique<OutputFile>(path));
-  paths_.insert(path);
   fill_checked(files_.back()->stream(), path, fill);
 }
 
 void OutputFiles::commit() {
   for (const auto& file : files_) file->commit();
   files_.clear();
+  new_folders_.clear();
 }
 
-void OutputFiles::write_with_folders(const std::string& path, const std::string& bytes) {
-  if (has(path)) return;
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+void OutputFiles::discard() {
+  files_.clear();
+  std::error_code ignored;
+  for (const std::filesystem::path& folder : new_folders_) std::filesystem::remove(folder, ignored);
+  new_folders_.clear();
+}
+
+void OutputFiles::make_folders(const std::filesystem::path& folder) {
   std::error_code error;  // that of writing says more
-  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  std::vector<std::filesystem::path> missing;
+  for (std::filesystem::path at = folder; !at.empty() && !std::filesystem::exists(at, error); at = at.parent_path()) {
+    missing.push_back(at);
+  }
+  std::filesystem::create_directories(folder, error);
+  new_folders_.insert(new_folders_.begin(), missing.begin(), missing.end());
+}
+
+bool OutputFiles::write_with_folders(const std::string& path, const std::string& bytes) {
+  const std::string identity = file_identity(path);
+  const std::size_t hash = std::hash<std::string>{}(bytes);
+  const auto earlier = shared_.find(identity);
+  if (earlier != shared_.end() && earlier->second == hash) return false;
+  make_folders(std::filesystem::path(path).parent_path());
   write(path, [&](std::ostream& out) { out << bytes; });
+  shared_.emplace(identity, hash);
+  return true;
 }
 
 }  // namespace whittle::io

@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <system_error>
 
@@ -10,14 +9,20 @@
 
 namespace whittle::io {
 
-std::string read_file(const std::filesystem::path& path, const std::string& what) {
+std::ifstream open_file(const std::filesystem::path& path, const std::string& what) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (std::filesystem::is_directory(status)) throw ReadError(what, "is a folder, not a file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw ReadError(what, std::string("cannot be opened: ") + std::strerror(errno));
+  return file;
+}
+
+std::string read_file(const std::filesystem::path& path, const std::string& what) {
+  std::ifstream file = open_file(path, what);
   std::string bytes;
+  std::error_code error;
   if (const auto size = std::filesystem::file_size(path, error); !error && size > 0) {
     bytes.resize(size);
     file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -71,12 +71,6 @@ std::vector<Index> drop_isolated(IndexedMesh& mesh) {
 
 }  // namespace
 
-std::size_t drop_isolated_vertices(IndexedMesh& mesh) {
-  const std::size_t count = mesh.positions.size();
-  drop_isolated(mesh);
-  return count - mesh.positions.size();
-}
-
 std::vector<Index> tidy_after_welding(IndexedMesh& mesh, Repairs& done, unsigned threads) {
   if (done.welded_vertices > 0) {
     done.degenerate_faces += drop_degenerate_faces(mesh);

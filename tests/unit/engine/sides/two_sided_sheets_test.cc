@@ -174,6 +174,14 @@ TEST(TwoSidedSheet, HasLevels) {
   }
 }
 
+TEST(TwoSidedSheet, HasALevelOfOneFace) {
+  // Without backs the second target is no face at all.
+  const auto levels = simplify_to_levels(half_sheet(), {DecimateTarget::faces(50), DecimateTarget::faces(1)});
+  ASSERT_EQ(levels.size(), 2U);
+  EXPECT_LE(levels[0].mesh.faces.size(), 50U);
+  EXPECT_LE(levels[1].mesh.faces.size(), 2U);
+}
+
 // Attributes ----------------------------------------------------------------------------------------------------------
 
 /// A sheet with wedges for either side: normals up and down, u = x in front and u = 20 − x behind, colours.

@@ -1,13 +1,11 @@
 #include "commands/page/run/run_report.hh"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <iterator>
 #include <vector>
 
 #include "whittle/io/errors.hh"
+#include "whittle/io/whole_file.hh"
 
 namespace whittle::app {
 namespace {
@@ -62,9 +60,7 @@ std::string did_text(const std::string& verb, Counts counts) {
 }  // namespace
 
 Json read_report_of_simplify(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw io::ReadError(path, std::string("cannot be opened: ") + std::strerror(errno));
-  Json json = Json::parse(file, nullptr, false);
+  const Json json = Json::parse(io::read_file(path, path), nullptr, false);
   if (!json.is_object()) throw io::ReadError(path, "is no report: its text is no JSON object");
   if (runs_of(json).empty()) throw io::ReadError(path, "is no report of a run: 'simplify --json' writes such");
   return json;

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "cost/attributes/scaled_attributes.hh"
+#include "whittle/core/geometry/image_triangle.hh"
 #include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/wedges.hh"
 
@@ -21,9 +21,8 @@ Corners corners_in_frame(const IndexedMesh& mesh, const Frame& frame, std::size_
 
 /// Twice the area of a face in the texture, by the first two coordinates.
 double double_area_in_texture(const IndexedMesh& mesh, const Attribute& texcoord, std::size_t face) {
-  const auto at = [&](std::size_t k) { return texcoord.value(mesh.wedge(face, k)); };
-  const auto [a, b, c] = std::array{at(0), at(1), at(2)};
-  return std::abs((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
+  const auto at = [&](std::size_t k) { return detail::Vec2(texcoord.value(mesh.wedge(face, k)).data()); };
+  return std::abs(detail::area_on_image(at(0), at(1), at(2)));
 }
 
 /// The length that others are shares of: of a square as large as the surface. Parts that lie far off make the box

@@ -15,7 +15,7 @@ WHITTLE_INLINE void VertexQuadrics::sum_in_lanes(Index first) {
   std::array<std::span<const Neighbour>, n> lists;
   std::size_t n_faces = 0;
   for (Index i = 0; i < n; ++i) {
-    lists[i] = complex_.listed_faces(first + i);
+    lists[i] = complex_.neighbours(first + i);
     n_faces = std::max(n_faces, lists[i].size());
   }
   const auto vertex = [&](std::size_t lane) { return first + static_cast<Index>(lane); };

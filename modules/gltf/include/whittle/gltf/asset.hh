@@ -154,7 +154,5 @@ class Asset {
 
 /// Whether bytes begin with GLB's signature.
 bool is_glb(std::string_view bytes);
-/// Whether a name ends in .gltf or .glb, in upper or lower case.
-bool has_gltf_extension(const std::filesystem::path& path);
 
 }  // namespace whittle::gltf

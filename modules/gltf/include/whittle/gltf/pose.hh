@@ -56,8 +56,6 @@ class Poser {
   bool is_animated() const;
   /// The name, or "animation N". One line of printable characters.
   std::string animation_name(std::size_t animation) const;
-  /// From the first time to the last one of an animation, seconds, [0, inf).
-  double duration(std::size_t animation) const;
   /// `n` moments, spread evenly over all animations in turn: each in the middle of an nth of their time. If all
   /// durations are 0, animations get equal numbers of moments. \pre `is_animated`
   std::vector<AnimationTime> moments(std::size_t n) const;

@@ -41,4 +41,10 @@ class WriteError : public std::runtime_error {
   std::string file_;
 };
 
+/// Two outputs of a run would be the same file.
+class OutputConflict : public WriteError {
+ public:
+  using WriteError::WriteError;
+};
+
 }  // namespace whittle::io

@@ -19,6 +19,9 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
+  /// The file that a path stands for, with links followed even where nothing is there yet.
+  static std::filesystem::path target_of(const std::filesystem::path& path);
+
   std::ostream& stream() { return stream_; }
   /// Flushes, closes and renames.
   /// \throw WriteError if anything failed since opening; a full disk is detected here at the latest.

@@ -74,8 +74,4 @@ std::size_t drop_degenerate_faces(IndexedMesh& mesh);
 /// \return the number dropped.
 std::size_t drop_duplicate_faces(IndexedMesh& mesh, unsigned threads = 0);
 
-/// Drops vertices without a face. The others keep their order; `origins` gives their former numbers.
-/// \return the number dropped.
-std::size_t drop_isolated_vertices(IndexedMesh& mesh);
-
 }  // namespace whittle::io

@@ -24,17 +24,15 @@ struct CompareOptions {
 /// Difference of two scenes seen from one view.
 struct ViewComparison {
   View view;
-  double psnr = 0;          ///< dB, over the pixels that show the model; infinity for equal pictures.
-  double picture_psnr = 0;  ///< dB, over the whole picture.
-  double flip = 0;          ///< [0, 1], over the whole picture.
+  double psnr = 0;  ///< dB, over the pixels that show the model; infinity for equal pictures.
+  double flip = 0;  ///< [0, 1], over the whole picture.
 };
 
 /// Difference of two scenes, over all views.
 struct Comparison {
   std::vector<ViewComparison> views;
 
-  double mean_psnr = 0;          ///< Mean of the views' `psnr`, dB; infinity if one view is equal.
-  double mean_picture_psnr = 0;  ///< Mean of the views' `picture_psnr`, dB; infinity if one view is equal.
+  double mean_psnr = 0;  ///< Mean of the views' `psnr`, dB; infinity if one view is equal.
   /// PSNR of the pixels of all views together, dB: as if they were one picture. Finite unless all views are equal.
   double pooled_psnr = 0;
   double mean_flip = 0;
@@ -42,8 +40,8 @@ struct Comparison {
   double worst_psnr = 0;  ///< The least.
   double worst_flip = 0;  ///< The greatest, perhaps of another view.
 
-  std::size_t worst_view = 0;  ///< The first view with the least PSNR.
-  std::string worst_png;       ///< A PNG file of that view, three pictures wide: original, simplified, FLIP.
+  /// A PNG file of the first view with the least PSNR, three pictures wide: original, simplified, FLIP.
+  std::string worst_png;
 };
 
 /// Draws both scenes from the same views, around the original's bounding sphere, and compares the pictures.

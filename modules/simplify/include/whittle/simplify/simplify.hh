@@ -70,6 +70,10 @@ struct Simplification : Decimation {
 /// The second half of `simplify`: polishes a decimation of `original`. \pre `options` come from `with_effort`
 PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOptions& options, Decimation& decimation);
 
+/// Fits the attributes of a result of `original` to those of `original` (`fit_attributes`), unless it has no polish or
+/// is cancelled. \pre `options` come from `with_effort`
+void fit_attributes_of(const IndexedMesh& original, const SimplifyOptions& options, Simplification& result);
+
 /// Simplifies `mesh`. With polish, attributes are fitted to those of `mesh` in the end (`fit_attributes`), including
 /// normals with `Normals::keep`. A run cancelled while contracting is not polished. \throw as `decimate`
 Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort = Effort::normal,
@@ -77,7 +81,7 @@ Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, E
 
 /// Levels of detail from one run, each polished by effort; the run goes on from the polished surface. Without cost
 /// comparison.
-/// \param targets counts, all of faces or all of vertices, descending
+/// \param targets counts, all of faces or all of vertices, descending; 0 is as far as possible
 /// \return a level per target, in their order; fewer if no pair is left to contract, or if the run is cancelled. The
 ///        last level has the reason for the stop, and the time of all
 /// \throw as `simplify`; std::invalid_argument for other targets, for a target that the mesh has reached, and for

@@ -27,9 +27,6 @@ class ValenceChange {
     leaves_three_ |= !on_border && valence <= 3;
   }
 
-  /// Whether a vertex inside the surface would have three edges or fewer.
-  bool leaves_three() const { return leaves_three_; }
-
   /// \param cost of the contraction without the penalty, in the frame: of a mesh of size 1
   /// \param weight W, [0, inf)
   double penalize(double cost, double weight) const {
@@ -44,7 +41,7 @@ class ValenceChange {
   }
 
   int irregularity_ = 0;
-  bool leaves_three_ = false;
+  bool leaves_three_ = false;  ///< whether a vertex inside the surface would have three edges or fewer
 };
 
 }  // namespace whittle

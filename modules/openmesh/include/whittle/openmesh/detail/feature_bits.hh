@@ -27,10 +27,4 @@ int count_feature_edges(const MeshT& mesh, OpenMesh::VertexHandle v) {
       std::count_if(edges.begin(), edges.end(), [&mesh](auto edge) { return mesh.status(edge).feature(); }));
 }
 
-/// Whether v has the feature bit, but not two feature edges, so that it is on no line. Then it stays where it is.
-template <class MeshT>
-bool is_feature_point(const MeshT& mesh, OpenMesh::VertexHandle v) {
-  return mesh.status(v).feature() && count_feature_edges(mesh, v) != 2;
-}
-
 }  // namespace whittle
