@@ -20,7 +20,7 @@
 #include "whittle/pipeline/request.hh"
 #include "whittle/pipeline/run.hh"
 #include "whittle/progressive/levels.hh"
-#include "whittle/scene/gltf_file.hh"
+#include "whittle/scene/scene_document.hh"
 
 namespace whittle::app {
 namespace {
@@ -258,7 +258,7 @@ void write_files(LodCommand& options, const Talk& talk, const Stopwatch& since_s
 /// \throw UsageError for one file of levels, if its nodes have levels already
 void check_input(const LodCommand& options, const Scene& input) {
   if (!is_one_file(options) || !keeps_meshes(input)) return;
-  const std::string mesh = input.gltf->mesh_with_levels();
+  const std::string mesh = input.document->mesh_with_levels();
   if (mesh.empty()) return;
   throw UsageError(input.name + ": " + mesh +
                    " has levels of detail already (MSFT_lod); use '{i}' in --output to write a file a level");

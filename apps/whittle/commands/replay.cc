@@ -14,7 +14,6 @@
 #include "files/report.hh"
 #include "terminal/table.hh"
 #include "whittle/core/progress.hh"
-#include "whittle/scene/gltf_file.hh"
 
 namespace whittle::app {
 namespace {
@@ -123,10 +122,10 @@ void check(const ReplayCommand& options) {
   check_recording_outputs(options.recording, meshes, outputs, options.files, options.common);
 }
 
-/// Without the file that it comes from, a level of glTF has its texture coordinates turned over.
+/// Without the file that it comes from, a level has the texture coordinates of other formats.
 void write_level(const ReplayCommand& options, const std::string& path, RecordedRun& recorded, IndexedMesh mesh,
                  OutputFiles& files, const Talk& talk, ReplayRun& run) {
-  if (recorded.has_gltf_texcoords && !recorded.input.gltf) flip_texcoords(mesh);
+  if (recorded.texcoords_grow_down && !recorded.input.document) flip_texcoords(mesh);
   write_result(files, output_of(path, options.files, options.compresses_gltf), recorded.input, mesh, talk,
                run.warnings);
 }

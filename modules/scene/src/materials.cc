@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "whittle/io/materials.hh"
-#include "whittle/scene/gltf_file.hh"
+#include "whittle/scene/scene_document.hh"
 
 namespace whittle {
 namespace {
@@ -14,7 +14,7 @@ SceneMaterials materials_beside(const Scene& scene) {
   const fs::path folder = scene.path == standard_stream ? fs::path() : fs::path(scene.path).parent_path();
   io::SurfaceMaterials from = io::read_materials(scene.read.notes, folder, scene.read.mesh);
   io::read_images(from.materials, folder);
-  SceneMaterials materials{.of_meshes = {std::move(from.materials)}, .are_told = from.are_told, .warnings = {}};
+  SceneMaterials materials{.of_groups = std::move(from.materials), .are_told = from.are_told, .warnings = {}};
   for (const fs::path& library : from.missing) {
     materials.warnings.push_back("material library " + library.string() +
                                  " can't be read, its materials are not shown");
@@ -28,8 +28,8 @@ SceneMaterials materials_beside(const Scene& scene) {
 }  // namespace
 
 SceneMaterials read_materials(const Scene& scene) {
-  if (!scene.gltf) return materials_beside(scene);
-  return {.of_meshes = scene.gltf->asset().materials(), .are_told = true, .warnings = {}};
+  if (!scene.document) return materials_beside(scene);
+  return {.of_groups = scene.document->materials(), .are_told = true, .warnings = {}};
 }
 
 }  // namespace whittle

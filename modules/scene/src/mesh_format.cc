@@ -11,8 +11,8 @@
 #include "whittle/core/text/text.hh"
 #include "whittle/io/materials.hh"
 #include "whittle/io/write.hh"
-#include "whittle/scene/gltf_file.hh"
 #include "whittle/scene/read_scene.hh"
+#include "whittle/scene/scene_document.hh"
 #include "whittle/scene/write_scene.hh"
 
 namespace whittle {
@@ -37,21 +37,6 @@ Scene read_one_mesh(const SceneFile& file, const SceneReadOptions& options) {
     scene.needed_files.push_back(folder / name);
   }
   return scene;
-}
-
-/// Whether a glTF input has a material that shows on the mesh, with more than a name.
-bool has_looks(const Scene& scene, const IndexedMesh& mesh) {
-  const std::vector<GltfFile::Group> groups = scene.gltf->groups();
-  return std::any_of(mesh.face_groups.begin(), mesh.face_groups.end(), [&](Index group) {
-    return scene.gltf->asset().has_look(groups[group].mesh, groups[group].primitive);
-  });
-}
-
-/// Content of a glTF input that other formats can't hold. \pre the mesh has its groups
-std::string left_out_of(const Scene& scene, const IndexedMesh& mesh) {
-  std::string others = listed(scene.gltf->asset().other_content());
-  if (!has_looks(scene, mesh)) return others;
-  return "the materials, with their colours and images" + (others.empty() ? "" : "; " + others);
 }
 
 /// The textures of the materials that faces of the input have.
@@ -90,21 +75,21 @@ void write_mesh(io::OutputFiles& files, const SceneOutput& output, const Indexed
   });
 }
 
-void write_from_gltf(io::OutputFiles& files, const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
-                     SceneMessages& messages) {
+void write_from_document(io::OutputFiles& files, const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
+                         SceneMessages& messages) {
   const bool is_positions_only = mesh.face_groups.empty();  // all else was dropped as asked
-  if (const std::string lost = is_positions_only ? "" : left_out_of(scene, mesh); !lost.empty()) {
+  if (const std::string lost = is_positions_only ? "" : scene.document->left_out_of_one_mesh(mesh); !lost.empty()) {
     messages.warnings.push_back(about(name_of(output), "left out: " + lost));
   }
-  IndexedMesh flipped = mesh;
-  flip_texcoords(flipped);
-  write_mesh(files, output, flipped, scene.read.notes, messages);
+  IndexedMesh written = mesh;
+  if (scene.format->texcoords_grow_down) flip_texcoords(written);
+  write_mesh(files, output, written, scene.read.notes, messages);
 }
 
 /// \pre there is a mesh, and no levels
 void write_one_mesh(io::OutputFiles& files, const SceneOutput& output, Scene& scene, const IndexedMesh* mesh,
                     CoarserLevels /*levels*/, SceneMessages& messages) {
-  if (scene.gltf) return write_from_gltf(files, output, scene, *mesh, messages);
+  if (scene.document) return write_from_document(files, output, scene, *mesh, messages);
   io::FileNotes notes = scene.read.notes;
   name_texture(output, scene, notes, messages);
   write_mesh(files, output, *mesh, notes, messages);

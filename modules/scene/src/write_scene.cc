@@ -1,6 +1,6 @@
 #include "whittle/scene/write_scene.hh"
 
-#include "whittle/scene/gltf_file.hh"
+#include "whittle/scene/scene_document.hh"
 
 namespace whittle {
 
@@ -26,7 +26,7 @@ IndexedMesh as_written(const SceneOutput& output, const Scene& scene, const Inde
 
 double widest_gap_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh) {
   const bool has_meshes = output.format->is_document && keeps_meshes(scene);
-  return has_meshes ? scene.gltf->widest_gap_as_written(mesh) : 0;
+  return has_meshes ? scene.document->widest_gap_as_written(mesh) : 0;
 }
 
 }  // namespace whittle

@@ -5,7 +5,7 @@
 
 #include "terminal/errors.hh"
 #include "terminal/table.hh"
-#include "whittle/scene/gltf_file.hh"
+#include "whittle/scene/gltf_asset.hh"
 
 namespace whittle::app {
 namespace {
@@ -39,7 +39,7 @@ std::optional<double> PosedDistance::ratio() const {
 }
 
 PosedScenes::PosedScenes(const Scene& reference, const Scene& test)
-    : reference_(reference.gltf->asset()), test_(test.gltf->asset()) {
+    : reference_(gltf_asset_of(reference)), test_(gltf_asset_of(test)) {
   refuse_stiff(reference_, reference.name);
   refuse_stiff(test_, test.name);
   refuse_different(test.name, "nodes", reference_.n_nodes(), test_.n_nodes());

@@ -3,7 +3,6 @@
 #include <set>
 #include <utility>
 
-#include "whittle/scene/gltf_file.hh"
 #include "whittle/scene/materials.hh"
 
 namespace whittle::app {
@@ -13,14 +12,12 @@ namespace {
 void warn_of_hidden_images(const SceneMaterials& materials, const std::string& name,
                            std::vector<std::string>& warnings) {
   std::set<const Image*> seen;
-  for (const std::vector<Material>& of_mesh : materials.of_meshes) {
-    for (const Material& material : of_mesh) {
-      if (!material.base_color_texture) continue;
-      const Image& image = *material.base_color_texture->image;
-      if (!seen.insert(&image).second || !media_type(image.bytes).empty()) continue;
-      const std::string problem = image.problem.empty() ? "it is neither PNG nor JPEG nor WebP" : image.problem;
-      warnings.push_back(about(name, image.name + " is not shown: " + problem));
-    }
+  for (const Material& material : materials.of_groups) {
+    if (!material.base_color_texture) continue;
+    const Image& image = *material.base_color_texture->image;
+    if (!seen.insert(&image).second || !media_type(image.bytes).empty()) continue;
+    const std::string problem = image.problem.empty() ? "it is neither PNG nor JPEG nor WebP" : image.problem;
+    warnings.push_back(about(name, image.name + " is not shown: " + problem));
   }
 }
 
@@ -31,16 +28,11 @@ PageLook::PageLook(const Scene& input, std::vector<std::string>& warnings) {
   for (const std::string& warning : materials.warnings) warnings.push_back(about(input.name, warning));
   if (!materials.are_told) return;
   warn_of_hidden_images(materials, input.name, warnings);
-  if (!input.gltf) {
-    materials_ = std::move(materials.of_meshes[0]);
-    return;
-  }
+  materials_ = std::move(materials.of_groups);
+  if (!input.document) return;
   colors_ = ColorEncoding::linear;
   const std::vector<std::string>& groups = input.read.mesh.group_names;
-  for (const auto& [mesh, primitive] : input.gltf->groups()) {
-    Material& material = materials_.emplace_back(materials.of_meshes[mesh][primitive]);
-    material.name = materials_.size() <= groups.size() ? groups[materials_.size() - 1] : "";
-  }
+  for (std::size_t i = 0; i < materials_.size(); ++i) materials_[i].name = i < groups.size() ? groups[i] : "";
 }
 
 void PageLook::dress(report::PageSurface& surface) const {

@@ -197,9 +197,10 @@ RecordedRun read_recorded_run(const RecordingInput& options, const FileOptions& 
   facts = facts_of(options.path, recording);
   auto [mesh, input] = input_of(options, files, threads, talk, recording);
   input.read.notes.has_float32_positions = fit_float32(mesh.positions);
-  if (!input.gltf) input.read.mesh = frame_of(mesh);
-  const bool has_gltf_texcoords = input_format_of(recording) == "gltf";
-  return {replay_of(options.path, std::move(mesh), std::move(recording)), std::move(input), has_gltf_texcoords};
+  if (!input.document) input.read.mesh = frame_of(mesh);
+  const SceneFormat* const format = format_by_extension(input_format_of(recording));
+  const bool texcoords_grow_down = format != nullptr && format->texcoords_grow_down;
+  return {replay_of(options.path, std::move(mesh), std::move(recording)), std::move(input), texcoords_grow_down};
 }
 
 progressive::Replay read_replay(const RecordingInput& options, const FileOptions& files, unsigned threads,

@@ -55,7 +55,7 @@ struct RecordedRun {
   progressive::Replay replay;
   /// The file that --input names; else the recording. Of its mesh, positions and groups alone.
   Input input;
-  bool has_gltf_texcoords = false;  ///< whether the second texture coordinate grows downwards, as in glTF
+  bool texcoords_grow_down = false;  ///< see `SceneFormat`
 };
 
 /// \throw as `read_replay`

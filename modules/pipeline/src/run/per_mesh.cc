@@ -10,7 +10,7 @@
 
 #include "whittle/core/pieces.hh"
 #include "whittle/core/wedges.hh"
-#include "whittle/scene/gltf_file.hh"
+#include "whittle/scene/scene_document.hh"
 
 namespace whittle {
 namespace {
@@ -67,12 +67,12 @@ struct CountsPerMesh {
   std::vector<std::uint64_t> n_vertices;
 };
 
-CountsPerMesh counts_per_mesh(const GltfFile& file, const IndexedMesh& mesh) {
+CountsPerMesh counts_per_mesh(const SceneDocument& document, const IndexedMesh& mesh) {
   CountsPerMesh counts;
-  counts.n_faces.resize(file.n_meshes());
-  counts.n_vertices.resize(file.n_meshes());
+  counts.n_faces.resize(document.n_meshes());
+  counts.n_vertices.resize(document.n_meshes());
   std::vector<Index> counted_in(mesh.positions.size(), invalid_index);
-  const std::vector<Index> meshes = file.meshes_of_faces(mesh);
+  const std::vector<Index> meshes = document.meshes_of_faces(mesh);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     ++counts.n_faces[meshes[f]];
     for (const Index v : mesh.faces[f]) {
@@ -115,7 +115,7 @@ void join_pieces(Simplification& all) {
 }  // namespace
 
 std::vector<DecimateTarget> targets_per_mesh(const Targets& options, const Scene& scene, double diagonal) {
-  const auto [n_faces, n_vertices] = counts_per_mesh(*scene.gltf, scene.read.mesh);
+  const auto [n_faces, n_vertices] = counts_per_mesh(*scene.document, scene.read.mesh);
   std::vector<DecimateTarget> targets;
   for (std::size_t i = 0; i < n_faces.size(); ++i) {
     DecimateTarget target = resolve(options, n_vertices[i], n_faces[i], diagonal);
@@ -135,12 +135,12 @@ DecimateTarget sum_of(const std::vector<DecimateTarget>& targets) {
   return sum;
 }
 
-std::vector<std::string> meshes_above(const std::vector<DecimateTarget>& targets, const GltfFile& file,
+std::vector<std::string> meshes_above(const std::vector<DecimateTarget>& targets, const SceneDocument& document,
                                       const IndexedMesh& mesh) {
   std::vector<std::string> names;
-  const auto [n_faces, n_vertices] = counts_per_mesh(file, mesh);
+  const auto [n_faces, n_vertices] = counts_per_mesh(document, mesh);
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    if (!targets[i].is_reached_at(n_faces[i], n_vertices[i])) names.push_back(file.mesh_name(i));
+    if (!targets[i].is_reached_at(n_faces[i], n_vertices[i])) names.push_back(document.mesh_name(i));
   }
   return names;
 }
@@ -152,7 +152,7 @@ Simplification simplify_per_mesh(const Scene& scene, const std::vector<DecimateT
   all.vertex_map.assign(mesh.positions.size(), invalid_index);
   std::size_t n_faces = 0;
   const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(mesh.faces.size()); };
-  const std::vector<MeshPiece> pieces = split_mesh(mesh, scene.gltf->meshes_of_faces(mesh), targets.size());
+  const std::vector<MeshPiece> pieces = split_mesh(mesh, scene.document->meshes_of_faces(mesh), targets.size());
   const std::vector<std::uint8_t> shared = shared_vertices(pieces, mesh.positions.size());
   const std::vector<std::uint8_t>& locked = options.decimate.locked;
   for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -11,7 +11,7 @@
 
 namespace whittle {
 
-/// The target of each mesh (`GltfFile::meshes_of_faces`), by its own counts. No count is above those of the mesh.
+/// The target of each mesh (`SceneDocument::meshes_of_faces`), by its own counts. No count is above those of the mesh.
 /// \param input before --prune \param diagonal of all
 std::vector<DecimateTarget> targets_per_mesh(const Targets& options, const Scene& scene, double diagonal);
 
@@ -20,7 +20,7 @@ DecimateTarget sum_of(const std::vector<DecimateTarget>& targets);
 
 /// The names of the meshes that have more faces and vertices than their targets say.
 /// \param mesh the result
-std::vector<std::string> meshes_above(const std::vector<DecimateTarget>& targets, const GltfFile& file,
+std::vector<std::string> meshes_above(const std::vector<DecimateTarget>& targets, const SceneDocument& document,
                                       const IndexedMesh& mesh);
 
 /// Simplifies each mesh, and puts the results together: counts are sums, `max_cost` is the greatest, `stop` that of a

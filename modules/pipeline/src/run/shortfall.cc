@@ -183,7 +183,7 @@ Shortfall find_shortfall(const Plan& plan, const Simplification& simplified) {
   const DecimateResult& result = simplified.result;
   shortfall.ended_by = option_that_ended(result.stop);
   if (plan.request.is_per_mesh) {
-    shortfall.meshes_above = meshes_above(plan.targets_per_mesh, *plan.scene.gltf, simplified.mesh);
+    shortfall.meshes_above = meshes_above(plan.targets_per_mesh, *plan.scene.document, simplified.mesh);
     return shortfall;
   }
   const bool may_go_on = shortfall.ended_by.empty() && !plan.request.decimater && result.refused_at_end.total() > 0;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "gltf/gltf_file.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/pieces.hh"
@@ -11,8 +12,6 @@
 #include "whittle/core/transform.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/io/border_gaps.hh"
-#include "whittle/scene/gltf_file.hh"
-#include "whittle/scene/scene.hh"
 
 namespace whittle {
 namespace {
@@ -151,18 +150,6 @@ std::vector<std::uint8_t> GltfFile::held_borders(const IndexedMesh& mesh, unsign
     }
   }
   if (std::find(held.begin(), held.end(), 1) == held.end()) held.clear();
-  return held;
-}
-
-std::vector<std::uint8_t> held_borders(const Scene& scene, const IndexedMesh& mesh, unsigned threads,
-                                       std::vector<std::string>& warnings) {
-  if (!keeps_meshes(scene)) return {};
-  std::vector<std::uint8_t> held = scene.gltf->held_borders(mesh, threads);
-  const auto n = static_cast<std::size_t>(std::count(held.begin(), held.end(), 1));
-  if (n > 0) {
-    warnings.push_back(about(scene.name, counted(n, "vertex stays where it is", "vertices stay where they are") +
-                                             ": meshes that the scene shows several times meet others there"));
-  }
   return held;
 }
 

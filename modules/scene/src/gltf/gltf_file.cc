@@ -1,4 +1,4 @@
-#include "whittle/scene/gltf_file.hh"
+#include "gltf/gltf_file.hh"
 
 #include <Eigen/SVD>
 #include <algorithm>
@@ -86,8 +86,7 @@ double farthest_of(const IndexedMesh& mesh, const Eigen::Matrix3d& linear) {
   return farthest;
 }
 
-}  // namespace
-
+/// Whether the scene of an asset shows a mesh with triangles. If not, all meshes are shown.
 bool shows_meshes(const gltf::Asset& asset) {
   for (std::size_t m = 0; m < asset.n_meshes(); ++m) {
     if (asset.n_triangles(m) > 0 && asset.n_instances(m) > 0) return true;
@@ -95,12 +94,7 @@ bool shows_meshes(const gltf::Asset& asset) {
   return false;
 }
 
-void flip_texcoords(IndexedMesh& mesh) {
-  for (Attribute& attribute : mesh.attributes) {
-    if (attribute.kind != AttributeKind::texcoord || attribute.n_components < 2) continue;
-    for (std::size_t w = 0; w < attribute.size(); ++w) attribute.value(w)[1] = 1 - attribute.value(w)[1];
-  }
-}
+}  // namespace
 
 void write_asset(io::OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress) {
   for (const gltf::AssetFile& file : asset.files(path, {.compress = compress})) {
@@ -245,6 +239,36 @@ std::vector<GltfFile::Group> GltfFile::groups() const {
     for (Index i = 0; i < part.n_groups; ++i) groups.push_back({part.mesh, i});
   }
   return groups;
+}
+
+std::vector<Material> GltfFile::materials() const {
+  const std::vector<std::vector<Material>> of_meshes = asset_.materials();
+  std::vector<Material> materials;
+  for (const auto& [mesh, primitive] : groups()) materials.push_back(of_meshes[mesh][primitive]);
+  return materials;
+}
+
+std::vector<PlacedMesh> GltfFile::shown_meshes() const {
+  const bool shows_any = shows_meshes(asset_);
+  std::vector<std::vector<Material>> materials = asset_.materials();
+  std::vector<PlacedMesh> shown;
+  for (std::size_t m = 0; m < asset_.n_meshes(); ++m) {
+    if (asset_.n_triangles(m) == 0) continue;
+    std::vector<Eigen::Affine3d> places = places_of(m);
+    if (!shows_any) places.push_back(Eigen::Affine3d::Identity());
+    if (!places.empty()) shown.push_back({asset_.triangles(m), std::move(materials[m]), std::move(places)});
+  }
+  return shown;
+}
+
+std::string GltfFile::left_out_of_one_mesh(const IndexedMesh& mesh) const {
+  const std::vector<Group> groups = this->groups();
+  const bool has_looks = std::any_of(mesh.face_groups.begin(), mesh.face_groups.end(), [&](Index group) {
+    return asset_.has_look(groups[group].mesh, groups[group].primitive);
+  });
+  std::string others = listed(asset_.other_content());
+  if (!has_looks) return others;
+  return "the materials, with their colours and images" + (others.empty() ? "" : "; " + others);
 }
 
 std::vector<Index> GltfFile::meshes_of_faces(const IndexedMesh& mesh) const {

@@ -2,10 +2,12 @@
 
 #include "companions.hh"
 #include "formats.hh"
+#include "gltf/gltf_file.hh"
 #include "gltf/new_gltf.hh"
 #include "whittle/core/float32_positions.hh"
 #include "whittle/core/text/text.hh"
-#include "whittle/scene/gltf_file.hh"
+#include "whittle/scene/errors.hh"
+#include "whittle/scene/gltf_asset.hh"
 #include "whittle/scene/read_scene.hh"
 
 namespace whittle {
@@ -15,14 +17,18 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view gltf_extensions[] = {"glb", "gltf"};
 
+/// \pre the scene `keeps_meshes`, so that it is of this format
+GltfFile& document_of(const Scene& scene) { return static_cast<GltfFile&>(*scene.document); }
+
 Scene read_gltf(const SceneFile& file, const SceneReadOptions& options) {
   Scene scene;
   scene.format = &gltf_format;
-  scene.gltf = std::make_shared<GltfFile>(file.path());
-  scene.read = scene.gltf->read({.weld = options.weld, .threads = options.threads, .attributes = options.attributes},
-                                options.scope);
+  const auto document = std::make_shared<GltfFile>(file.path());
+  scene.document = document;
+  scene.read = document->read({.weld = options.weld, .threads = options.threads, .attributes = options.attributes},
+                              options.scope);
   const fs::path folder = folder_of(file.path());
-  for (const std::vector<fs::path>& names : {scene.gltf->asset().buffer_files(), scene.gltf->asset().image_files()}) {
+  for (const std::vector<fs::path>& names : {document->asset().buffer_files(), document->asset().image_files()}) {
     for (const fs::path& name : names) scene.needed_files.push_back(folder / name);
   }
   return scene;
@@ -33,16 +39,17 @@ void write_gltf(io::OutputFiles& files, const SceneOutput& output, Scene& scene,
   if (!keeps_meshes(scene)) {
     return write_new_gltf(files, output, scene, mesh == nullptr ? scene.read.mesh : *mesh, levels, messages);
   }
-  for (const std::string& warning : scene.gltf->write(files, output.path, mesh, levels, output.compress)) {
+  GltfFile& document = document_of(scene);
+  for (const std::string& warning : document.write(files, output.path, mesh, levels, output.compress)) {
     messages.warnings.push_back(about(output.path, warning));
   }
   // It has written the images that can be beside it. This says which aren't.
-  copy_companions(files, scene.path, output.path, scene.gltf->asset().image_files(), messages);
+  copy_companions(files, scene.path, output.path, document.asset().image_files(), messages);
 }
 
 IndexedMesh gltf_as_written(const SceneOutput& /*output*/, const Scene& scene, const IndexedMesh& mesh,
                             const SceneReadOptions& /*options*/) {
-  if (keeps_meshes(scene)) return scene.gltf->as_written(mesh);
+  if (keeps_meshes(scene)) return document_of(scene).as_written(mesh);
   const Vec3 origin = float32_origin(scene.read.mesh.positions);  // as `write_new_gltf` has it
   IndexedMesh rounded = mesh;
   for (Vec3& p : rounded.positions) p = rounded_to_float32(p, origin);
@@ -51,12 +58,19 @@ IndexedMesh gltf_as_written(const SceneOutput& /*output*/, const Scene& scene, c
 
 }  // namespace
 
+const gltf::Asset& gltf_asset_of(const Scene& scene) {
+  const auto* const document = dynamic_cast<const GltfFile*>(scene.document.get());
+  if (document == nullptr) throw UnsupportedMesh(scene.name + ": it is not glTF");
+  return document->asset();
+}
+
 constinit const SceneFormat gltf_format{.name = "gltf",
                                         .title = "glTF",
                                         .extensions = gltf_extensions,
                                         .mesh_format = std::nullopt,
                                         .has_text_and_binary = false,
                                         .is_document = true,
+                                        .texcoords_grow_down = true,
                                         .read = read_gltf,
                                         .write = write_gltf,
                                         .as_written = gltf_as_written};

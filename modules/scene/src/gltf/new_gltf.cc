@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "companions.hh"
+#include "gltf/gltf_file.hh"
 #include "gltf/screen_coverage.hh"
 #include "whittle/core/float32_positions.hh"
 #include "whittle/core/text/text.hh"
 #include "whittle/gltf/make_asset.hh"
 #include "whittle/io/file_notes.hh"
 #include "whittle/io/materials.hh"
-#include "whittle/scene/gltf_file.hh"
 
 namespace whittle {
 namespace {
@@ -114,7 +114,7 @@ Looks looks_of(const Scene& scene, const IndexedMesh& mesh) {
   io::SurfaceMaterials from = io::read_materials(notes, folder, mesh);
   const bool has_texcoords = std::any_of(mesh.attributes.begin(), mesh.attributes.end(), is_texcoord);
   Looks looks{std::move(from.materials), has_texcoords && from.has_several_textures};
-  if (scene.gltf) {  // its materials are left out, so that the format's default holds
+  if (scene.document) {  // its materials are left out, so that the format's default holds
     for (Material& material : looks.materials) material.double_sided = false;
   }
   for (const fs::path& file : io::referenced_files(notes, folder)) {

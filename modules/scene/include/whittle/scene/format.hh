@@ -64,6 +64,7 @@ struct SceneFormat {
   /// Whether it has several meshes, placed by nodes, and other content that stays when meshes are replaced. Documents
   /// aren't read from standard input, nor compressed with gzip.
   bool is_document;
+  bool texcoords_grow_down = false;  ///< whether the second texture coordinate grows downwards on the image
 
   Scene (*read)(const SceneFile& file, const SceneReadOptions& options);
   /// \param mesh null: the document's meshes

@@ -11,15 +11,13 @@
 namespace whittle {
 
 struct SceneMaterials {
-  /// In glTF by mesh of the file and primitive; none for meshes without triangles. In other formats of one mesh, by
-  /// face group, or one without groups.
-  std::vector<std::vector<Material>> of_meshes;
+  std::vector<Material> of_groups;    ///< by face group of the scene's mesh, or one without groups
   bool are_told = false;              ///< whether the file has materials
   std::vector<std::string> warnings;  ///< a line each, without the name of the file: unreadable files except images
 };
 
-/// Reads materials from glTF, the material libraries of an OBJ file, or the texture of a PLY file, with images.
-/// \throw io::ReadError for invalid materials of glTF
+/// Reads materials from a document, the material libraries of an OBJ file, or the texture of a PLY file, with images.
+/// \throw io::ReadError for invalid materials of a document
 SceneMaterials read_materials(const Scene& scene);
 
 }  // namespace whittle

@@ -11,7 +11,7 @@
 
 namespace whittle {
 
-class GltfFile;
+class SceneDocument;
 struct SceneFormat;
 
 /// Stands for standard input or output in place of a path.
@@ -24,7 +24,7 @@ struct Scene {
   const SceneFormat* format = nullptr;
   io::ReadResult read;
   double weld_tolerance = 0;                          ///< of welding, model units; 0 = exact duplicates only
-  std::shared_ptr<GltfFile> gltf{};                   ///< the document of a glTF file, for writing it again; or null
+  std::shared_ptr<SceneDocument> document{};          ///< for writing it again; null for a file with one mesh
   std::string mesh_name{};                            ///< name of the mesh in new documents
   std::vector<std::filesystem::path> needed_files{};  ///< buffers, material libraries, textures
   std::vector<std::string> joined{};    ///< files that were joined (`SceneJoiner`), `path` first; or empty
@@ -34,7 +34,7 @@ struct Scene {
 /// Whether the document keeps its meshes separate, and simplified meshes replace them.
 bool keeps_meshes(const Scene& scene);
 
-/// The vertices that must stay (`GltfFile::held_borders`). Empty if the document doesn't keep its meshes.
+/// The vertices that must stay (`SceneDocument::held_borders`). Empty if the document doesn't keep its meshes.
 /// \param mesh the scene's mesh, or some of its faces
 /// \param threads 0 = all cores
 /// \param warnings gets their number
@@ -44,6 +44,9 @@ std::vector<std::uint8_t> held_borders(const Scene& scene, const IndexedMesh& me
 
 /// The reason for a mesh without faces: "there are no triangles in it". \pre the mesh has no faces
 std::string why_no_faces(const io::ReadResult& read);
+
+/// Turns the second texture coordinate over: it grows upwards or downwards (`SceneFormat::texcoords_grow_down`).
+void flip_texcoords(IndexedMesh& mesh);
 
 /// The folder of a file.
 std::filesystem::path folder_of(const std::filesystem::path& file);

@@ -11,14 +11,14 @@
 
 #include "whittle/gltf/asset.hh"
 #include "whittle/io/read.hh"
-#include "whittle/scene/format.hh"
+#include "whittle/scene/scene_document.hh"
 
 namespace whittle {
 
 /// Converts a glTF file to one mesh in the scene's coordinates, and back. So one run simplifies all meshes, and each
 /// gets the faces that its shape needs. Borders of meshes that coincide in the scene are welded: their vertices belong
 /// to several meshes, and a surface closed in the scene stays closed.
-class GltfFile {
+class GltfFile final : public SceneDocument {
  public:
   /// \throw io::ReadError
   explicit GltfFile(const std::filesystem::path& path);
@@ -29,22 +29,18 @@ class GltfFile {
   io::ReadResult read(const io::ReadOptions& options, SceneScope scope);
 
   const gltf::Asset& asset() const { return asset_; }
-  /// The scope of `read`. \pre `read`
-  SceneScope scope() const { return scope_; }
 
-  /// Number of meshes read. \pre `read`
-  std::size_t n_meshes() const { return parts_.size(); }
-  /// \param mesh below `n_meshes`
-  std::string mesh_name(std::size_t mesh) const { return asset_.mesh_name(parts_[mesh].mesh); }
-
-  /// For each face of the whole, or of a mesh made from it, its mesh, below `n_meshes`.
-  std::vector<Index> meshes_of_faces(const IndexedMesh& mesh) const;
-
-  /// Per face group of the whole: the numbers of its mesh in the file, and of its primitive. \pre `read`
-  struct Group {
-    std::size_t mesh, primitive;
-  };
-  std::vector<Group> groups() const;
+  // SceneDocument
+  SceneScope scope() const override { return scope_; }
+  std::size_t n_meshes() const override { return parts_.size(); }
+  std::string mesh_name(std::size_t mesh) const override { return asset_.mesh_name(parts_[mesh].mesh); }
+  std::vector<Index> meshes_of_faces(const IndexedMesh& mesh) const override;
+  std::string mesh_with_levels() const override;
+  std::vector<Material> materials() const override;
+  std::vector<PlacedMesh> shown_meshes() const override;
+  std::string left_out_of_one_mesh(const IndexedMesh& mesh) const override;
+  std::vector<std::uint8_t> held_borders(const IndexedMesh& mesh, unsigned threads) const override;
+  double widest_gap_as_written(const IndexedMesh& mesh) const override;
 
   /// Writes the file with its meshes replaced, and the files beside it (`gltf::Asset::files`). Nodes get coarser levels
   /// as levels of detail (`gltf::Asset::add_levels`).
@@ -56,21 +52,9 @@ class GltfFile {
   std::vector<std::string> write(io::OutputFiles& files, const std::string& path, const IndexedMesh* mesh,
                                  CoarserLevels levels, bool compress);
 
-  /// The name of a mesh with levels of detail; empty if none has. \pre `read`
-  std::string mesh_with_levels() const;
-
   /// The mesh after `write` without compression, and `read`. A vertex of several meshes has the position of one of them
   /// in the file. \pre as `write`
   IndexedMesh as_written(IndexedMesh mesh) const;
-  /// Largest distance, after `write`, between the positions of a vertex of several meshes: each is rounded in the
-  /// coordinates of its mesh. \pre as `write`
-  double widest_gap_as_written(const IndexedMesh& mesh) const;
-
-  /// The vertices that must stay, so that a surface closed in the scene stays closed: vertices on borders that meet
-  /// another mesh's border, if the scene shows one of both meshes several times. A move would move all copies. Not
-  /// computed for scenes of more than 2^24 triangles.
-  /// \param mesh the whole, or some of its faces \return V; empty if none must stay \pre as `write`
-  std::vector<std::uint8_t> held_borders(const IndexedMesh& mesh, unsigned threads) const;
 
  private:
   /// A mesh of the file, with triangles.
@@ -111,6 +95,12 @@ class GltfFile {
     bool is_flat;  ///< whether its node flattens it
   };
 
+  /// Per face group of the whole: the numbers of its mesh in the file, and of its primitive.
+  struct Group {
+    std::size_t mesh, primitive;
+  };
+
+  std::vector<Group> groups() const;
   std::vector<Eigen::Affine3d> places_of(std::size_t mesh) const;
   Eigen::Affine3d place_of_one(std::span<const Eigen::Affine3d> places, const IndexedMesh& mesh);
   Part part_of(std::size_t number, const Eigen::Affine3d& place, const IndexedMesh& mesh, const IndexedMesh& all) const;
@@ -138,13 +128,7 @@ class GltfFile {
   double reach_ = 0;                  ///< largest distance of a vertex from its mesh's origin, in scene units
 };
 
-/// Whether the scene of an asset shows a mesh with triangles. If not, programs show all meshes.
-bool shows_meshes(const gltf::Asset& asset);
-
 /// Writes an asset, and the files beside it (`gltf::Asset::files`).
 void write_asset(io::OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress);
-
-/// Flips the second texture coordinate: it grows downwards in glTF, upwards in all other formats.
-void flip_texcoords(IndexedMesh& mesh);
 
 }  // namespace whittle
