@@ -14,7 +14,8 @@ inline bool intersect(const Triangle& s, const Triangle& t, std::span<const Vec3
   return intersect(corners_of(positions, s), corners_of(positions, t));
 }
 
-/// Whether two faces intersect now, but not before. \param before, after the corners of both
+/// Whether two faces intersect now, but not before, each with itself as it was. `metrics::newly_crossing_faces`
+/// compares meshes whose faces have no counterpart. \param before, after the corners of both
 inline bool intersect_newly(const std::array<Corners, 2>& before, const std::array<Corners, 2>& after) {
   return intersect(after[0], after[1]) && !intersect(before[0], before[1]);
 }
