@@ -1,6 +1,7 @@
 #include "commands/simplify/simplify_files.hh"
 
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include "commands/page/make_page.hh"
@@ -106,9 +107,9 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
   }
   record.write_seconds = watch.seconds();
   record.total_seconds = since_start.seconds();
-  const Json json = report != nullptr || options.common.json ? simplify_json(options, record) : Json();
+  Json json = report != nullptr || options.common.json ? simplify_json(options, record) : Json();
   commit_with_report(files, options.common, [&json] { return json; });
-  if (report != nullptr) *report = json;
+  if (report != nullptr) *report = std::move(json);
 }
 
 }  // namespace whittle::app
