@@ -101,16 +101,23 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-std::vector<std::string> subcommands_of_help(const std::string& help) {
+namespace {
+
+/// The first words of the rows below a title. Their other lines begin further to the right.
+std::vector<std::string> names_below(const std::string& title, const std::string& help) {
   std::vector<std::string> names;
-  bool inside = false;
+  bool is_inside = false;
   for (const std::string& line : lines_of(help)) {
-    if (inside && line.empty()) break;
-    if (inside && line.rfind("   ", 0) != 0) names.push_back(words_of(line).front());
-    if (line == "Subcommands:") inside = true;
+    if (is_inside && line.empty()) break;
+    if (is_inside && !line.starts_with("   ")) names.push_back(words_of(line).front());
+    if (line == title) is_inside = true;
   }
   return names;
 }
+
+}  // namespace
+
+std::vector<std::string> subcommands_of_help(const std::string& help) { return names_below("Subcommands:", help); }
 
 std::vector<std::string> subcommands_with_pages(const std::string& help) {
   std::vector<std::string> names = subcommands_of_help(help);
@@ -120,16 +127,7 @@ std::vector<std::string> subcommands_with_pages(const std::string& help) {
   return names;
 }
 
-std::vector<std::string> arguments_of_help(const std::string& help) {
-  std::vector<std::string> names;
-  bool is_inside = false;
-  for (const std::string& line : lines_of(help)) {
-    if (is_inside && line.empty()) break;
-    if (is_inside && !line.starts_with("   ")) names.push_back(words_of(line).front());
-    if (line == "Arguments:") is_inside = true;
-  }
-  return names;
-}
+std::vector<std::string> arguments_of_help(const std::string& help) { return names_below("Arguments:", help); }
 
 std::vector<std::string> names_of(const OptionText& option) {
   std::vector<std::string> names;

@@ -5,13 +5,11 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <optional>
 #include <set>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "cli/report_keys/option_runs.hh"
 #include "program/gltf_cube.hh"
 #include "program/gltf_sheet.hh"
 #include "program/help_text.hh"
@@ -20,7 +18,6 @@
 #include "support/shapes/shapes.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
-#include "whittle/pipeline/request.hh"
 
 namespace whittle::test {
 namespace {
@@ -210,99 +207,6 @@ std::string closed_mesh(const TemporaryFolder& folder) {
              "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 1\n"
              "f 1 3 2\nf 1 2 4\nf 2 5 4\nf 2 3 5\nf 3 4 5\nf 3 1 4\n");
   return folder / "closed.obj";
-}
-
-OptionValue value_of(const OptionRow& row) { return row.reported ? row.reported() : row.access.get(); }
-
-/// Whether an option of a request takes a value and makes another of it than the default.
-bool takes_as_new(const std::string& name, const std::string& value) {
-  Request request;
-  const OptionRows rows = option_rows(request);
-  const OptionRow& row = *find_row(rows, name);
-  const OptionValue before = value_of(row);
-  try {
-    row.access.set(value);
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-  return value_of(row) != before;
-}
-
-/// Values to try: the words that the help shows, and some of each kind.
-std::vector<std::string> candidates_for(const OptionRow& row) {
-  if (row.access.meta.empty()) return {""};
-  std::vector<std::string> values;
-  std::istringstream words(row.access.meta);
-  for (std::string word; std::getline(words, word, '|');) values.push_back(word);
-  for (const char* value : {"1", "0.5", "10%", "uv=2"}) values.emplace_back(value);
-  std::erase_if(values, [&](const std::string& value) { return !takes_as_new(long_name(row), value); });
-  return values;
-}
-
-/// A run that an option was given to, with another value than its default.
-struct OptionRun {
-  std::string name;
-  std::string value;  ///< empty for a flag
-  Arguments arguments;
-};
-
-/// The first of a few simple runs that takes the option; nothing if none does.
-std::optional<OptionRun> run_with(const OptionRow& row, const TemporaryFolder& folder) {
-  const std::string cubes = data_file("cubes.obj");
-  const std::string cube = folder / "cube.glb";
-  for (const std::string& value : candidates_for(row)) {
-    for (const Arguments& more : {Arguments{cubes}, {cubes, "--cost", "quadric"}, {cube}}) {
-      OptionRun run{long_name(row), value, more};
-      run.arguments.insert(run.arguments.end(), {"-o", folder / "one.glb", run.name});
-      if (!value.empty()) run.arguments.push_back(value);
-      if (run.name != "--faces") run.arguments.insert(run.arguments.end(), {"--faces", "100"});
-      Arguments call = run.arguments;
-      call.insert(call.begin(), "simplify");
-      if (whittle(call).exit_code == 0) return run;
-    }
-  }
-  return std::nullopt;
-}
-
-/// A simple run for each option of a request, where there is one.
-std::vector<OptionRun> runs_with_options(const TemporaryFolder& folder) {
-  write_gltf_cube(folder / "cube.glb", 4);
-  std::vector<OptionRun> runs;
-  Request request;
-  for (const OptionRow& row : option_rows(request)) {
-    if (row.names.empty()) continue;
-    if (std::optional<OptionRun> run = run_with(row, folder)) runs.push_back(*std::move(run));
-  }
-  return runs;
-}
-
-/// A value of a report, as the command line has it.
-std::string text_of(const Json& value) {
-  if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
-  if (value.is_number_float()) return shortest(value.get<double>());
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-TEST(ReportKeys, OfSimplifyHaveTheValuesOfItsOptions) {
-  const TemporaryFolder folder;
-  Request request;
-  const OptionRows rows = option_rows(request);
-  std::set<std::string> shown;
-  for (OptionRun& run : runs_with_options(folder)) {
-    const OptionRow& row = *find_row(rows, run.name);
-    if (row.key.empty()) continue;
-    run.arguments.insert(run.arguments.begin(), "simplify");
-    run.arguments.insert(run.arguments.end(), {"--json", "-"});
-    const Outcome outcome = whittle(run.arguments);
-    const std::string found = text_of(parse_json(outcome.out)["options"][row.key]);
-    const std::string given = run.value.empty() ? "on" : run.value;
-    EXPECT_TRUE(found == given || found.starts_with(given + ',')) << row.key << " is " << found << '\n' << outcome;
-    shown.insert(run.name);
-  }
-  for (const OptionRow& row : rows) {
-    const bool is_reported = !row.names.empty() && !row.key.empty();
-    EXPECT_TRUE(!is_reported || shown.contains(long_name(row))) << "no run takes " << row.names;
-  }
 }
 
 TEST(ReportKeys, OfSimplifyAreDocumented) {
