@@ -13,10 +13,10 @@ namespace {
 // Pixels.
 constexpr double line_chart_width = 920;
 constexpr double line_chart_height = 520;
-constexpr double left = 80;
-constexpr double right = 690;  // the legend is to the right of it
-constexpr double top = 50;
-constexpr double bottom = 460;
+constexpr double chart_left = 80;
+constexpr double chart_right = 690;  // the legend is to the right of it
+constexpr double chart_top = 50;
+constexpr double chart_bottom = 460;
 constexpr double legend_step = 22;
 
 /// 1, 2 and 5 times powers of ten, from the last one at or below `low` to the first one at or above `high`.
@@ -46,16 +46,16 @@ struct Axis {
 
 void draw_axes(SvgDrawing& drawing, const Chart& chart, const Axis& x, const Axis& y) {
   for (const double tick : x.ticks) {
-    drawing.add_grid_line(x.at(tick), top, x.at(tick), bottom);
-    drawing.add_text(x.at(tick), bottom + 18, "middle", formatted("%.7g", tick));
+    drawing.add_grid_line(x.at(tick), chart_top, x.at(tick), chart_bottom);
+    drawing.add_text(x.at(tick), chart_bottom + 18, "middle", formatted("%.7g", tick));
   }
   for (const double tick : y.ticks) {
-    drawing.add_grid_line(left, y.at(tick), right, y.at(tick));
-    drawing.add_text(left - 8, y.at(tick) + 4, "end", formatted("%.4g", tick));
+    drawing.add_grid_line(chart_left, y.at(tick), chart_right, y.at(tick));
+    drawing.add_text(chart_left - 8, y.at(tick) + 4, "end", formatted("%.4g", tick));
   }
-  drawing.add_text((left + right) / 2, bottom + 44, "middle", chart.x_label);
-  drawing.add_text(-(top + bottom) / 2, 18, "middle", chart.y_label, "transform=\"rotate(-90)\"");
-  drawing.add_text(left, top - 20, "start", chart.title, "font-size=\"16\" font-weight=\"bold\"");
+  drawing.add_text((chart_left + chart_right) / 2, chart_bottom + 44, "middle", chart.x_label);
+  drawing.add_text(-(chart_top + chart_bottom) / 2, 18, "middle", chart.y_label, "transform=\"rotate(-90)\"");
+  drawing.add_text(chart_left, chart_top - 20, "start", chart.title, "font-size=\"16\" font-weight=\"bold\"");
 }
 
 void draw_lines(SvgDrawing& drawing, const ChartSeries& series, const char* colour, const Axis& x, const Axis& y) {
@@ -72,9 +72,9 @@ void draw(SvgDrawing& drawing, const ChartSeries& series, std::size_t i, const A
   draw_lines(drawing, series, colour_of(i), x, y);
   for (const ChartPoint& point : series.points)
     drawing.add_marker(x.at(point.x), y.at(point.y), i, series.name + ", " + point.name);
-  const double legend_y = top + 10 + legend_step * static_cast<double>(i);
-  drawing.add_marker(right + 24, legend_y, i, series.name);
-  drawing.add_text(right + 36, legend_y + 4, "start", series.name);
+  const double legend_y = chart_top + 10 + legend_step * static_cast<double>(i);
+  drawing.add_marker(chart_right + 24, legend_y, i, series.name);
+  drawing.add_text(chart_right + 36, legend_y + 4, "start", series.name);
 }
 
 /// The series, with only the points that can be drawn.
@@ -104,8 +104,8 @@ Axis axis_around(const std::vector<double>& values, double begin, double end) {
 std::string to_svg(const Chart& chart) {
   const std::vector<ChartSeries> all = drawable(chart.series);
   if (all.empty()) return {};
-  const Axis x = axis_around(values_of(all, &ChartPoint::x), left, right);
-  const Axis y = axis_around(values_of(all, &ChartPoint::y), bottom, top);
+  const Axis x = axis_around(values_of(all, &ChartPoint::x), chart_left, chart_right);
+  const Axis y = axis_around(values_of(all, &ChartPoint::y), chart_bottom, chart_top);
   SvgDrawing drawing(line_chart_width, line_chart_height);
   draw_axes(drawing, chart, x, y);
   for (std::size_t i = 0; i < all.size(); ++i) draw(drawing, all[i], i, x, y);

@@ -10,42 +10,42 @@ namespace whittle::gltf {
 namespace {
 
 // Extensions of geometry, whose numbers references.cc knows, and others that name neither accessors nor buffer views.
-constexpr std::string_view known[] = {draco_extension,
-                                      meshopt_extension,
-                                      quantization_extension,
-                                      instancing_extension,
-                                      structural_metadata_extension,
-                                      outline_extension,
-                                      manifold_extension,
-                                      "EXT_mesh_features",
-                                      "EXT_instance_features",
-                                      "KHR_gaussian_splatting",
-                                      texture_transform_extension,
-                                      "KHR_texture_basisu",
-                                      "EXT_texture_webp",
-                                      "EXT_texture_avif",
-                                      "MSFT_texture_dds",
-                                      "EXT_texture_astc",
-                                      "KHR_lights_punctual",
-                                      "EXT_lights_image_based",
-                                      "EXT_lights_ies",
-                                      "KHR_animation_pointer",
-                                      "KHR_xmp_json_ld",
-                                      "KHR_xmp",
-                                      visibility_extension,
-                                      "KHR_node_hoverability",
-                                      "KHR_node_selectability",
-                                      lod_extension,
-                                      "CESIUM_RTC",
-                                      "AGI_articulations",
-                                      "AGI_stk_metadata",
-                                      "ADOBE_materials_thin_transparency",
-                                      "KHR_techniques_webgl",
-                                      "VRM",
-                                      "VRMC_vrm",
-                                      "VRMC_materials_mtoon",
-                                      "VRMC_node_constraint",
-                                      "VRMC_springBone"};
+constexpr std::string_view known_extensions[] = {draco_extension,
+                                                 meshopt_extension,
+                                                 quantization_extension,
+                                                 instancing_extension,
+                                                 structural_metadata_extension,
+                                                 outline_extension,
+                                                 manifold_extension,
+                                                 "EXT_mesh_features",
+                                                 "EXT_instance_features",
+                                                 "KHR_gaussian_splatting",
+                                                 texture_transform_extension,
+                                                 "KHR_texture_basisu",
+                                                 "EXT_texture_webp",
+                                                 "EXT_texture_avif",
+                                                 "MSFT_texture_dds",
+                                                 "EXT_texture_astc",
+                                                 "KHR_lights_punctual",
+                                                 "EXT_lights_image_based",
+                                                 "EXT_lights_ies",
+                                                 "KHR_animation_pointer",
+                                                 "KHR_xmp_json_ld",
+                                                 "KHR_xmp",
+                                                 visibility_extension,
+                                                 "KHR_node_hoverability",
+                                                 "KHR_node_selectability",
+                                                 lod_extension,
+                                                 "CESIUM_RTC",
+                                                 "AGI_articulations",
+                                                 "AGI_stk_metadata",
+                                                 "ADOBE_materials_thin_transparency",
+                                                 "KHR_techniques_webgl",
+                                                 "VRM",
+                                                 "VRMC_vrm",
+                                                 "VRMC_materials_mtoon",
+                                                 "VRMC_node_constraint",
+                                                 "VRMC_springBone"};
 constexpr std::string_view known_beginnings[] = {"KHR_materials_", "EXT_materials_", "MSFT_packing_"};
 
 /// The numbers of "2.0".
@@ -63,7 +63,7 @@ std::optional<std::pair<int, int>> parsed_version(const std::string& text) {
 }  // namespace
 
 bool is_known_extension(std::string_view name) {
-  return std::find(std::begin(known), std::end(known), name) != std::end(known) ||
+  return std::find(std::begin(known_extensions), std::end(known_extensions), name) != std::end(known_extensions) ||
          std::any_of(std::begin(known_beginnings), std::end(known_beginnings),
                      [&](std::string_view beginning) { return name.starts_with(beginning); });
 }

@@ -20,11 +20,11 @@ namespace whittle::metrics {
 
 namespace {
 
-struct Sums {
+struct AttributeSums {
   std::size_t samples = 0;
   double deviation = 0.0, max = 0.0;
 
-  void add(const Sums& other) {
+  void add(const AttributeSums& other) {
     samples += other.samples;
     deviation += other.deviation;
     max = std::max(max, other.max);
@@ -32,7 +32,7 @@ struct Sums {
 };
 
 /// One direction: from the samples of a surface to the other surface.
-struct Direction {
+struct AttributeDirection {
   const SurfaceSampler& from;
   const SurfaceSampler& to;  ///< for its corners
   const TriangleTree& tree;  ///< of `to`
@@ -42,12 +42,12 @@ struct Direction {
   double sheet_tolerance_sq;
 };
 
-std::vector<Sums> measure_block(const Direction& direction, std::size_t begin, std::size_t end) {
+std::vector<AttributeSums> measure_block(const AttributeDirection& direction, std::size_t begin, std::size_t end) {
   std::vector<Comparer> comparers;
   for (std::size_t a = 0; a < direction.from_attributes.size(); ++a) {
     comparers.emplace_back(direction.from_attributes[a], direction.to_attributes[a]);
   }
-  std::vector<Sums> sums(comparers.size());
+  std::vector<AttributeSums> sums(comparers.size());
   NearSheets sheets;
   Index hint = invalid_index;
   direction.from.for_each(begin, end, [&](std::size_t face, const Vec3& point) {
@@ -66,26 +66,26 @@ std::vector<Sums> measure_block(const Direction& direction, std::size_t begin, s
   return sums;
 }
 
-std::vector<Sums> measure(const Direction& direction, const detail::Workers& workers) {
+std::vector<AttributeSums> measure(const AttributeDirection& direction, const detail::Workers& workers) {
   const std::size_t n_samples = direction.from.n_samples();
-  std::vector<std::vector<Sums>> blocks((n_samples + samples_per_block - 1) / samples_per_block);
+  std::vector<std::vector<AttributeSums>> blocks((n_samples + samples_per_block - 1) / samples_per_block);
   detail::for_each_block(blocks.size(), workers, [&](std::size_t block) {
     const std::size_t begin = block * samples_per_block;
     blocks[block] = measure_block(direction, begin, std::min(begin + samples_per_block, n_samples));
   });
-  std::vector<Sums> total(direction.from_attributes.size());
-  for (const std::vector<Sums>& block : blocks) {
+  std::vector<AttributeSums> total(direction.from_attributes.size());
+  for (const std::vector<AttributeSums>& block : blocks) {
     for (std::size_t a = 0; a < total.size(); ++a) total[a].add(block[a]);
   }
   return total;
 }
 
-DirectedAttributeDeviation summarize(const Sums& sums) {
+DirectedAttributeDeviation summarize(const AttributeSums& sums) {
   return {sums.deviation / static_cast<double>(sums.samples), sums.max};
 }
 
-std::vector<AttributeDeviation> summarize(const std::vector<Shared>& shared, const std::vector<Sums>& forward,
-                                          const std::vector<Sums>& backward) {
+std::vector<AttributeDeviation> summarize(const std::vector<Shared>& shared, const std::vector<AttributeSums>& forward,
+                                          const std::vector<AttributeSums>& backward) {
   std::vector<AttributeDeviation> deviations;
   for (std::size_t a = 0; a < shared.size(); ++a) {
     if (forward[a].samples == 0 || backward[a].samples == 0) continue;
@@ -132,13 +132,13 @@ std::vector<AttributeDeviation> attribute_deviations(const IndexedMesh& referenc
   const double noise = noise_rel * diagonal, tolerance = sheet_tolerance_rel * diagonal;
   const auto direction = [&](const auto& from, const auto& to, const TriangleTree& tree, const auto& of_from,
                              const auto& of_to) {
-    return Direction{from, to, tree, of_from, of_to, noise * noise, tolerance * tolerance};
+    return AttributeDirection{from, to, tree, of_from, of_to, noise * noise, tolerance * tolerance};
   };
   meter.start("measuring the attributes", 0.6);
-  const std::vector<Sums> forward =
+  const std::vector<AttributeSums> forward =
       measure(direction(sampled_reference, sampled_test, trees.test(), of_reference, of_test), workers);
   meter.start("measuring the attributes", 1);
-  const std::vector<Sums> backward =
+  const std::vector<AttributeSums> backward =
       measure(direction(sampled_test, sampled_reference, trees.reference(), of_test, of_reference), workers);
   meter.finish();
   return summarize(shared, forward, backward);

@@ -24,10 +24,10 @@ void attach_renderbuffer(const GlFunctions& gl, GLenum attachment, GLenum format
 
 }  // namespace
 
-unsigned make_program(const GlFunctions& gl, const char* vertex_shader, const char* fragment_shader) {
+unsigned make_program(const GlFunctions& gl, const char* vertex_source, const char* fragment_source) {
   const unsigned program = gl.create_program();
-  gl.attach_shader(program, compile(gl, GL_VERTEX_SHADER, vertex_shader));
-  gl.attach_shader(program, compile(gl, GL_FRAGMENT_SHADER, fragment_shader));
+  gl.attach_shader(program, compile(gl, GL_VERTEX_SHADER, vertex_source));
+  gl.attach_shader(program, compile(gl, GL_FRAGMENT_SHADER, fragment_source));
   gl.link_program(program);
   GLint is_linked = GL_FALSE;
   gl.get_program_iv(program, GL_LINK_STATUS, &is_linked);

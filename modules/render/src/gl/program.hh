@@ -6,7 +6,7 @@ namespace whittle::render {
 
 /// Compiles and links shaders. The context frees the program.
 /// \throw std::runtime_error if OpenGL refuses them
-unsigned make_program(const GlFunctions& gl, const char* vertex_shader, const char* fragment_shader);
+unsigned make_program(const GlFunctions& gl, const char* vertex_source, const char* fragment_source);
 
 /// Makes and binds a framebuffer of samples: linear colours, unrounded, and depths. The context frees it.
 /// \throw std::runtime_error if OpenGL has none of that size

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t weight_at = 0;
 constexpr std::size_t spread_at = 1;
 constexpr std::size_t functions_at = 12;
-constexpr std::size_t group_length = 16;
+constexpr std::size_t functions_length = 16;
 
 /// No slope is longer. A texture of even scale has a slope of its weight.
 constexpr float steepest = 4;
@@ -38,7 +38,7 @@ struct Functions {
   }
 };
 
-PointLanes<Float4> everywhere(const Vec3& p) {
+PointLanes<Float4> in_all_lanes(const Vec3& p) {
   const auto lanes = [](double number) { return Float4{} + static_cast<float>(number); };
   return {lanes(p.x()), lanes(p.y()), lanes(p.z())};
 }
@@ -92,7 +92,7 @@ void join_numbers(float* into, const float* other, std::size_t n_groups) {
   if (!(both > 0)) return;
   const float share = other[weight_at] / both;
   SquareSum squares;
-  for (std::size_t i = functions_at; i < functions_at + n_groups * group_length; i += group_length) {
+  for (std::size_t i = functions_at; i < functions_at + n_groups * functions_length; i += functions_length) {
     const Functions mean = Functions::at(into + i);
     const Functions apart = Functions::at(other + i) - mean;
     squares.add(apart);
@@ -115,8 +115,8 @@ WHITTLE_INLINE Functions functions_of(const FaceGradient& face, const Vec3& from
                                       const Double4& second, const Double4& third) {
   const Float4 u = rounded(second - first);
   const Float4 v = rounded(third - first);
-  const PointLanes<Float4> dual_u = everywhere(face.dual_u);
-  const PointLanes<Float4> dual_v = everywhere(face.dual_v);
+  const PointLanes<Float4> dual_u = in_all_lanes(face.dual_u);
+  const PointLanes<Float4> dual_v = in_all_lanes(face.dual_v);
   Functions functions{u * dual_u.x + v * dual_v.x, u * dual_u.y + v * dual_v.y, u * dual_u.z + v * dual_v.z,
                       rounded((first + second + third) * (1.0 / 3))};
   auto& [x, y, z, value] = functions;
@@ -127,7 +127,7 @@ WHITTLE_INLINE Functions functions_of(const FaceGradient& face, const Vec3& from
     for (std::size_t j = 0; j < 4; ++j) factor[j] = is_too_steep[j] != 0 ? steepest / std::sqrt(square[j]) : 1;
     x *= factor, y *= factor, z *= factor;
   }
-  return functions.about(everywhere(from_center));
+  return functions.about(in_all_lanes(from_center));
 }
 
 }  // namespace
@@ -145,7 +145,7 @@ FaceGradient::FaceGradient(const std::array<Vec3, 3>& corners) : center((corners
 
 WedgeQuadrics::WedgeQuadrics(std::size_t n_wedges, std::size_t n_components)
     : n_groups_((n_components + 3) / 4),
-      stride_(functions_at + n_groups_ * group_length),
+      stride_(functions_at + n_groups_ * functions_length),
       numbers_(n_wedges * stride_, 0.0F) {}
 
 Quadric WedgeQuadrics::quadric(Index w) const { return quadric_of(of(w) + spread_at); }
@@ -153,9 +153,9 @@ Quadric WedgeQuadrics::quadric(Index w) const { return quadric_of(of(w) + spread
 Quadric WedgeQuadrics::quadric_of_both(Index a, Index b, const Vec3& a_to_b) const {
   const float* const first = of(a);
   const float* const second = of(b);
-  const PointLanes<Float4> b_to_a = everywhere(-a_to_b);
+  const PointLanes<Float4> b_to_a = in_all_lanes(-a_to_b);
   SquareSum squares;
-  for (std::size_t i = functions_at; i < stride_; i += group_length) {
+  for (std::size_t i = functions_at; i < stride_; i += functions_length) {
     squares.add(Functions::at(first + i) - Functions::at(second + i).about(b_to_a));
   }
   const std::array<float, 12> between = squares.times(reduced_weight(first[weight_at], second[weight_at]));
@@ -168,10 +168,10 @@ Quadric WedgeQuadrics::quadric_of_both(Index a, Index b, const Vec3& a_to_b) con
 double WedgeQuadrics::error_between(Index a, Index b, const Vec3& from_a, const Vec3& from_b) const {
   const float* const first = of(a);
   const float* const second = of(b);
-  const PointLanes<Float4> at_a = everywhere(from_a);
-  const PointLanes<Float4> at_b = everywhere(from_b);
+  const PointLanes<Float4> at_a = in_all_lanes(from_a);
+  const PointLanes<Float4> at_b = in_all_lanes(from_b);
   Float4 squares{};
-  for (std::size_t i = functions_at; i < stride_; i += group_length) {
+  for (std::size_t i = functions_at; i < stride_; i += functions_length) {
     const Float4 apart = Functions::at(first + i).value_at(at_a) - Functions::at(second + i).value_at(at_b);
     squares += apart * apart;
   }
@@ -186,15 +186,15 @@ void WedgeQuadrics::add_face(Index w, double weight, const FaceGradient& face, c
   numbers[weight_at] = static_cast<float>(weight);
   for (std::size_t i = 0; i < n_groups_; ++i) {
     const auto row = [&](std::size_t k) { return load_lanes<Double4>(values[k] + 4 * i); };
-    functions_of(face, from_center, row(0), row(1), row(2)).store(numbers.data() + functions_at + i * group_length);
+    functions_of(face, from_center, row(0), row(1), row(2)).store(numbers.data() + functions_at + i * functions_length);
   }
   join_numbers(of(w), numbers.data(), n_groups_);
 }
 
 void WedgeQuadrics::move_origin(Index w, const Vec3& by) {
   float* const numbers = of(w);
-  const PointLanes<Float4> lanes = everywhere(by);
-  for (std::size_t i = functions_at; i < stride_; i += group_length) {
+  const PointLanes<Float4> lanes = in_all_lanes(by);
+  for (std::size_t i = functions_at; i < stride_; i += functions_length) {
     store_lanes(Functions::at(numbers + i).value_at(lanes), numbers + i + 12);
   }
   store(quadric(w).about(by), numbers + spread_at);
