@@ -63,7 +63,7 @@ async function useSlider(visitor, by) {
     return after;
   };
   if (by === 'keys') {
-    await (await visitor.place('slider')).focus();
+    await visitor.focus('slider');
     for (const [key, place] of [['Home', 0], ['End', 1]]) {
       await visitor.page.keyboard.press(key);
       await goes(place, 0);

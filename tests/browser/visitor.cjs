@@ -1,7 +1,5 @@
 // Somebody who looks at a page and uses it, by mouse, keyboard or touch.
 'use strict';
-const {pixelsOfCanvas} = require('./canvas.cjs');
-
 const patience = 20000; // milliseconds, on a busy machine
 
 class Visitor {
@@ -11,24 +9,22 @@ class Visitor {
 
   /** What is seen. `picture` is a number that tells pictures apart. */
   async look() {
-    const {page} = this;
-    await page.evaluate(() => window.whittle.drawn());
-    const picture = await page.evaluate(({data}) => {
-      let hash = 0;
-      for (let i = 0; i < data.length; i += 4) hash = (Math.imul(hash, 31) + data[i] * 65536 + data[i + 1] * 256 + data[i + 2]) | 0;
-      return hash;
-    }, await pixelsOfCanvas(page));
-    return {picture, ...await page.evaluate(() => {
+    return this.page.evaluate(async () => {
+      await window.whittle.drawn();
       const $ = (id) => document.getElementById(id);
+      const gl = $('canvas').getContext('webgl2'); // of the page: what is in it is what is shown
+      const pixels = new Int32Array(gl.drawingBufferWidth * gl.drawingBufferHeight);
+      gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(pixels.buffer));
+      const picture = pixels.reduce((hash, pixel) => Math.imul(hash, 31) + pixel | 0, pixels.length);
       const text = (id) => $(id).closest('[hidden]') ? '' : $(id).textContent;
       const labels = `${text('left-label')} | ${text('right-label')}`;
       return {
-        labels, legend: text('legend'), reasons: text('reasons'), status: text('status'), level: text('level'), speed: text('speed'),
+        picture, labels, legend: text('legend'), reasons: text('reasons'), status: text('status'), level: text('level'), speed: text('speed'),
         play: text('play'), back: text('back'), place: $('slider').value / 1000, focus: document.activeElement.id,
         direction: Number(text('play') === 'Pause') - Number(text('back') === 'Pause'), isOpen: document.querySelector('details').open,
         isRecordingShown: labels.includes('level of the run'),
       };
-    })};
+    });
   }
 
   async wait(condition, about, what) {
@@ -69,20 +65,16 @@ class Visitor {
     return (await this.controls()).includes(name);
   }
 
-  /** \param name id or tag of a control */
-  async place(name) {
-    const element = await this.page.$(`#${name}`) ?? await this.page.$(name);
-    await element.scrollIntoViewIfNeeded();
-    return element;
-  }
-
   /** Presses a button or a box. */
   async press(name, by) {
-    const element = await this.place(name);
-    if (by === 'mouse') return element.click();
-    if (by === 'touch') return element.tap();
-    await element.focus();
+    if (by !== 'keys') return this.click(await this.point(name, 0.5, 0.5), by);
+    await this.focus(name);
     return this.page.keyboard.press(name === 'summary' ? 'Enter' : 'Space');
+  }
+
+  /** \param name id or tag of a control */
+  focus(name) {
+    return this.page.evaluate((control) => (document.getElementById(control) ?? document.querySelector(control)).focus(), name);
   }
 
   /** The values that a list offers. */
@@ -97,17 +89,24 @@ class Visitor {
   /** Chooses in a list. A browser without a window has no list to click into. */
   async choose(name, value, by) {
     if (by !== 'keys') return this.page.selectOption(`#${name}`, value);
-    await (await this.place(name)).focus();
+    await this.focus(name);
     const options = await this.options(name);
     const steps = options.indexOf(value) - options.indexOf(await this.value(name));
     for (let i = 0; i < Math.abs(steps); ++i) await this.page.keyboard.press(steps > 0 ? 'ArrowDown' : 'ArrowUp');
     if (await this.value(name) !== value) throw new Error(`the arrow keys don't choose ${value}`);
   }
 
-  /** A point of the window. \param x, y shares of the control's width and height */
-  async point(name, x, y) {
-    const box = await (await this.place(name)).boundingBox();
-    return [box.x + x * box.width, box.y + y * box.height];
+  /** A point of the window, where nothing but the legend, over the canvas, covers the control. \param x, y shares of the control's width and height */
+  point(name, x, y) {
+    return this.page.evaluate(([control, right, down]) => {
+      const element = document.getElementById(control) ?? document.querySelector(control);
+      element.scrollIntoView({block: 'nearest', behavior: 'instant'});
+      const {left, top, width, height} = element.getBoundingClientRect();
+      const point = [left + right * width, top + down * height];
+      const there = document.elementFromPoint(...point);
+      if (!element.contains(there) && there?.id !== 'legend') throw new Error(`${control} is covered by ${there?.outerHTML.slice(0, 80)}`);
+      return point;
+    }, [name, x, y]);
   }
 
   async click(point, by) {

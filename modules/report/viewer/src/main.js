@@ -311,14 +311,17 @@ class App {
 
   /** Settles when what was asked for is drawn, in exact colours. */
   async drawn() {
-    const frames = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const nextFrame = () => new Promise(requestAnimationFrame); // what was asked for before is drawn in it
     do {
       this.motion.end();
       this.draw();
-      await frames();
+      await nextFrame();
       await this.exact.work;
     } while (this.hasExactColours() && !this.exact.isDoneFor(this.keyOfExactColours()));
-    await frames();
+    if (this.hasExactColours()) {
+      this.draw();
+      await nextFrame();
+    }
     return 'drawn';
   }
 
