@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
-# Runs every check of the project, starting from a fresh Debian 12. Installs what it needs and checks the style. Builds
-# everything with GCC, optimised, and the libraries with Clang under the sanitizers. Runs the tests of both. The logs of
-# all steps are in build/run/.
+# bash tests/run.sh         every check of the project, starting from a fresh Debian 12. Installs what it needs and checks
+#                           the style. Builds everything with GCC, optimised, and the libraries with Clang under the
+#                           sanitizers. Runs the tests of both.
+# bash tests/run.sh quick   only what GCC builds, and without the slow tests
+# The logs of all steps are in build/run/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source apps/packages.sh
-source tests/slow_tests.sh
 
+mode=${1:-whole}
+case $mode in whole | quick) ;; *) fail "usage: bash tests/run.sh [quick]" ;; esac
 logs=build/run
 jobs=$(nproc)
 
@@ -17,8 +20,8 @@ check_format() {
   git ls-files -z '*.hh' '*.cc' | xargs -0 clang-format-14 --dry-run -Werror
 }
 
-# The sources of the modules and the program, several at a time, and the headers that they include. The rule against
-# including sources is left out: that is how they come to be several.
+# The sources of the modules and the program, and the headers that they include. All sources of a library are read as one,
+# as reading headers takes longest. The rule against including sources is left out, therefore.
 check_tidy() {
   run-clang-tidy-14 -quiet -p build/tidy -j "$jobs" -checks=-bugprone-suspicious-include \
     -header-filter='/(modules|apps)/.*\.(hh|cc)$' "/unity_[^/]*\.cxx$"
@@ -27,8 +30,21 @@ check_tidy() {
 started=$SECONDS
 step() { say "[$(((SECONDS - started) / 60)) min] $*"; }
 
-install_packages "$logs/packages.log" "${build_packages[@]}" clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen groff-base pkg-config git chromium
+packages=("${build_packages[@]}")
+if [ "$mode" = whole ]; then
+  packages+=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen groff-base pkg-config git chromium)
+fi
+install_packages "$logs/packages.log" "${packages[@]}"
 command -v npm >/dev/null || install_packages "$logs/packages.log" nodejs npm
+
+if [ "$mode" = quick ]; then
+  step "GCC: building everything optimised"
+  configure release -DWHITTLE_UNITY_TESTS=ON
+  build release
+  step "GCC: running all tests but the slow ones"
+  ctest --preset release --parallel "$jobs" --label-exclude slow
+  exit
+fi
 
 step "npm: what checks glTF files and drives the browser"
 mkdir -p build/npm
@@ -47,7 +63,8 @@ step "Doxygen: the reference of the public headers, warnings are errors"
 quietly "$logs/docs.log" cmake --build --preset docs
 
 step "clang-tidy on the modules and the program, Clang's own warnings among its checks"
-configure dev -B build/tidy -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_UNITY_BUILD=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DWHITTLE_BUILD_TESTS=OFF
+configure dev -B build/tidy -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
+  -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DWHITTLE_BUILD_TESTS=OFF
 quietly "$logs/tidy.log" check_tidy
 
 # Without the program: it takes long to build and has few pointers.
@@ -55,7 +72,7 @@ step "Clang: building the libraries and their tests with asserts and sanitizers 
 configure asan -B build/clang -DCMAKE_CXX_COMPILER=clang++-14 -DWHITTLE_WARNINGS_AS_ERRORS=ON -DWHITTLE_BUILD_APPS=OFF -DCMAKE_UNITY_BUILD=ON
 build clang
 step "Clang: running the tests"
-quietly "$logs/test-clang.log" ctest --test-dir build/clang --output-on-failure --parallel "$jobs" -E "$slow_tests"
+quietly "$logs/test-clang.log" ctest --test-dir build/clang --output-on-failure --parallel "$jobs" --label-exclude slow
 
 step "GCC: running the tests"
 ctest --preset release --parallel "$jobs"

@@ -6,7 +6,6 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source apps/packages.sh
-source tests/slow_tests.sh
 
 build=build/coverage
 least_percent=95
@@ -14,7 +13,7 @@ least_percent=95
 run_tests() {
   rm -rf "$build/profiles"
   LLVM_PROFILE_FILE=$PWD/$build/profiles/%m.profraw ctest --test-dir "$build" --output-on-failure \
-    --parallel "$(nproc)" -E "$slow_tests" "$@"
+    --parallel "$(nproc)" --label-exclude slow "$@"
 }
 
 # Writes "FILE:LINE:RUNS" for every line of modules/ that has code. A template has instances in many programs, so the

@@ -13,7 +13,7 @@
 namespace whittle::test {
 namespace {
 
-TEST(Accuracy, BeatsModQuadricByMoreThanAQuarter) {
+TEST(SlowAccuracy, BeatsModQuadricByMoreThanAQuarter) {
   const std::vector<std::string> names = {"bunny.obj", "armadillo_86k.obj", "dragon_vrip.ply", "fandisk.obj",
                                           "cow.off"};
   double sum_of_logs = 0;

@@ -83,7 +83,7 @@ TEST_P(BunnyInvariance, ThreadsChangeNoBit) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Costs, BunnyInvariance, testing::Values(Cost::quadric, Cost::memoryless),
+INSTANTIATE_TEST_SUITE_P(SlowCosts, BunnyInvariance, testing::Values(Cost::quadric, Cost::memoryless),
                          [](const auto& test) { return test.param == Cost::quadric ? "quadric" : "memoryless"; });
 
 }  // namespace

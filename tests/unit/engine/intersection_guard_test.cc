@@ -36,7 +36,7 @@ IndexedMesh close_sheets(std::uint64_t seed) {
   return joined(below, above);
 }
 
-TEST(IntersectionGuard, KeepsPartsApart) {
+TEST(SlowIntersectionGuard, KeepsPartsApart) {
   std::size_t n_without = 0;
   std::uint64_t n_refused = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {

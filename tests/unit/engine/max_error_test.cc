@@ -50,7 +50,7 @@ std::vector<NamedMesh> meshes_to_prove() {
           {"two sheets", joined(noisy_grid(20, 20, 0.01, 1), noisy_grid(20, 20, 0.01, 2))}};
 }
 
-TEST(MaxError, IsKeptByAllCosts) {
+TEST(SlowMaxError, IsKeptByAllCosts) {
   for (const auto& [name, mesh] : meshes_to_prove()) {
     for (const CostTraits& traits : all_cost_traits) {
       const Cost cost = traits.cost;
@@ -82,7 +82,7 @@ TEST(MaxError, IsKeptOnAllKindsOfMeshes) {
 }
 
 /// Much fewer than those of the coarsest mesh by count that is as near.
-TEST(MaxError, TakesFewFaces) {
+TEST(SlowMaxError, TakesFewFaces) {
   for (const auto& [name, mesh] : {NamedMesh{"knot", knot(200, 24)}, NamedMesh{"blob", blob(5, 1)}}) {
     SCOPED_TRACE(name);
     const double max_error = 0.004 * diagonal(mesh);
@@ -147,7 +147,7 @@ TEST(MaxError, MayBeLessForBorders) {
 }
 
 /// Borders may move far where the surface hardly does.
-TEST(MaxError, GoesFarOnFlatGroundWithHoles) {
+TEST(SlowMaxError, GoesFarOnFlatGroundWithHoles) {
   WHITTLE_REAL_MESH_OR_SKIP(path, "geo_delft_testarea.obj");
   const IndexedMesh mesh = io::read_mesh(path, {.attributes = io::AttributeScope::per_vertex}).mesh;  // no materials
   const double max_error = 0.003 * diagonal(mesh);

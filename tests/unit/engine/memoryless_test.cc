@@ -358,7 +358,7 @@ TEST(Memoryless, KeepsTheVolumeOfAClosedSurface) {
   }
 }
 
-TEST(Memoryless, ErrsLessThanPlainQuadrics) {
+TEST(SlowMemoryless, ErrsLessThanPlainQuadrics) {
   for (const auto& [name, mesh] : {NamedMesh{"noisy_torus", noisy_torus(160, 80, 1, 0.35, 0.01, 5)},
                                    NamedMesh{"blob", blob(5, 5)}, NamedMesh{"knot", knot(400, 40)}}) {
     const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 10);

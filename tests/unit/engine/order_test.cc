@@ -316,11 +316,22 @@ TEST(ContractionOrderOfTies, IsThatOfBruteForceWhereALockedVertexSurvives) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, ContractionOrder, testing::ValuesIn(all_shapes()), [](const auto& test) {
+constexpr std::size_t n_faces_of_slow = 300;  // brute force takes seconds from here on
+
+std::vector<Case> shapes_of(bool is_slow) {
+  std::vector<Case> shapes = all_shapes();
+  std::erase_if(shapes, [&](const Case& shape) { return (shape.mesh.faces.size() >= n_faces_of_slow) != is_slow; });
+  return shapes;
+}
+
+std::string name_of(const testing::TestParamInfo<Case>& test) {
   std::string name = test.param.name;
   std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, ContractionOrder, testing::ValuesIn(shapes_of(false)), name_of);
+INSTANTIATE_TEST_SUITE_P(SlowShapes, ContractionOrder, testing::ValuesIn(shapes_of(true)), name_of);
 
 }  // namespace
 }  // namespace whittle::test

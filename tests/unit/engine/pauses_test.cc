@@ -295,7 +295,7 @@ TEST(Pauses, TellProgressThatOnlyGrows) {
   EXPECT_LE(told.back(), 1);
 }
 
-TEST(Pauses, ForPolishBringTheResultNearer) {
+TEST(SlowPauses, ForPolishBringTheResultNearer) {
   const std::vector<NamedMesh> round{{"torus", noisy_torus(200, 100, 1, 0.5, 0, 1)}, {"blob", blob(5, 4)}};
   for (const NamedMesh& named : round) {
     const IndexedMesh& mesh = named.mesh;

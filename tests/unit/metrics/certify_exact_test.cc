@@ -146,7 +146,7 @@ double just_below_root(const Ratio& square) {
   return static_cast<double>(root) / parts;
 }
 
-TEST(Certify, IsRightInRationalArithmetic) {
+TEST(SlowCertify, IsRightInRationalArithmetic) {
   constexpr int n_pairs = 10'000;
   Random random(11);
   int n_close = 0;

@@ -104,7 +104,7 @@ TEST(Certify, IsRightForRandomFaces) {
   }
 }
 
-TEST(Certify, IsRightForSimplifiedMeshes) {
+TEST(SlowCertify, IsRightForSimplifiedMeshes) {
   for (const IndexedMesh& mesh : {sphere(2), noisy_torus(16, 10, 1, 0.4, 0.02, 1), bracket(4), terrain(12, 3),
                                   open_cylinder(16, 8), tessellated_cube(5), moebius(24, 3), book(3, 4)}) {
     for (const double share : {0.5, 0.15}) {

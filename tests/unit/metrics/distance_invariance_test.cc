@@ -92,7 +92,7 @@ TEST(SurfaceDistance, OfASingleSampleIsRightOnAverage) {
   EXPECT_NEAR(above / n, 0.5, 5.0 * 0.5 / std::sqrt(n));
 }
 
-TEST(SurfaceDistance, ConvergesAtAnyNumberOfSamples) {
+TEST(SlowSurfaceDistance, ConvergesAtAnyNumberOfSamples) {
   const SurfaceDistance fine = surface_distance(reference(), approximation(), {.samples = 200'000});
   for (const std::size_t samples : {std::size_t{1}, std::size_t{2047}, std::size_t{2049}, std::size_t{20'000}}) {
     const SurfaceDistance d = surface_distance(reference(), approximation(), {.samples = samples});
@@ -100,7 +100,7 @@ TEST(SurfaceDistance, ConvergesAtAnyNumberOfSamples) {
   }
 }
 
-TEST(SurfaceDistance, ScalesWithTheUnit) {
+TEST(SlowSurfaceDistance, ScalesWithTheUnit) {
   for (const double factor : {1024.0, 0x1p-40}) {  // powers of two: no rounding, so even ties are the same
     const SurfaceDistance d =
         surface_distance(test::scaled(reference(), factor), test::scaled(approximation(), factor), options);
@@ -113,7 +113,7 @@ TEST(SurfaceDistance, ScalesWithTheUnit) {
   }
 }
 
-TEST(SurfaceDistance, DoesNotDependOnThePlace) {
+TEST(SlowSurfaceDistance, DoesNotDependOnThePlace) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const SurfaceDistance d =
         surface_distance(test::rotated(reference(), seed), test::rotated(approximation(), seed), options);

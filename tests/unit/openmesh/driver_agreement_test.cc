@@ -276,7 +276,7 @@ TEST_P(DriverAgreementOnRealMesh, ByMemorylessQuadricsDownToFivePercent) {
   expect_agreement(mesh, setting, to_faces(mesh.n_faces() / 20), GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, DriverAgreementOnRealMesh,
+INSTANTIATE_TEST_SUITE_P(SlowMeshes, DriverAgreementOnRealMesh,
                          testing::Values("dinosaur.obj", "bunny.obj", "camel.off", "kitten.obj", "lion-head.off",
                                          "fandisk.obj", "rocker.obj", "joint.off"),
                          [](const auto& test) {

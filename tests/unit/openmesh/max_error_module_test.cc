@@ -65,13 +65,13 @@ struct Limited {
 };
 
 template <class MeshT>
-class ModMaxError : public testing::Test {};
+class SlowModMaxError : public testing::Test {};
 using Scalars = testing::Types<FloatMesh, DoubleMesh>;
-TYPED_TEST_SUITE(ModMaxError, Scalars);
+TYPED_TEST_SUITE(SlowModMaxError, Scalars);
 
 // PairDecimaterT ------------------------------------------------------------------------------------------------------
 
-TYPED_TEST(ModMaxError, KeepsTheLimitOnTheMesh) {
+TYPED_TEST(SlowModMaxError, KeepsTheLimitOnTheMesh) {
   for (const NamedMesh& shape : meshes()) {
     for (const double share : {0.01, 0.06}) {
       Limited<TypeParam> run(shape.mesh, share);
@@ -84,7 +84,7 @@ TYPED_TEST(ModMaxError, KeepsTheLimitOnTheMesh) {
   }
 }
 
-TYPED_TEST(ModMaxError, KeepsTheLimitInTheEngine) {
+TYPED_TEST(SlowModMaxError, KeepsTheLimitInTheEngine) {
   for (const NamedMesh& shape : meshes()) {
     Limited<TypeParam> run(shape.mesh, 0.03, {}, Driver::engine);
     const DecimateResult result = run.decimater.decimate(DecimateTarget::as_far_as_possible());
@@ -96,7 +96,7 @@ TYPED_TEST(ModMaxError, KeepsTheLimitInTheEngine) {
   }
 }
 
-TYPED_TEST(ModMaxError, EachStateIsProven) {
+TYPED_TEST(SlowModMaxError, EachStateIsProven) {
   for (const IndexedMesh& shape : {noisy_sphere(2, 0.1, 7), noisy_grid(8, 8, 0.3, 5), bracket(3)}) {
     Limited<TypeParam> run(shape, 0.05);
     run.decimater.set_listener([&run](const Contraction&) {
@@ -107,7 +107,7 @@ TYPED_TEST(ModMaxError, EachStateIsProven) {
   }
 }
 
-TYPED_TEST(ModMaxError, KeepsTheLimitWithEachCost) {
+TYPED_TEST(SlowModMaxError, KeepsTheLimitWithEachCost) {
   for (const NamedCost& cost : named_costs()) {
     Limited<TypeParam> run(noisy_torus(16, 8, 1.0, 0.4, 0.05, 11), 0.04, cost.options);
     EXPECT_GT(run.decimater.decimate(), 20U) << cost.name;
@@ -115,7 +115,7 @@ TYPED_TEST(ModMaxError, KeepsTheLimitWithEachCost) {
   }
 }
 
-TYPED_TEST(ModMaxError, KeepsTheLimitWithOtherModules) {
+TYPED_TEST(SlowModMaxError, KeepsTheLimitWithOtherModules) {
   for (const bool foreign_cost : {false, true}) {
     TypeParam mesh = open_mesh<TypeParam>(blob(2, 3));
     const IndexedMesh input = geometry_of(mesh);
@@ -138,7 +138,7 @@ TYPED_TEST(ModMaxError, KeepsTheLimitWithOtherModules) {
   }
 }
 
-TYPED_TEST(ModMaxError, KeepsTheLimitOfTransformedMeshes) {
+TYPED_TEST(SlowModMaxError, KeepsTheLimitOfTransformedMeshes) {
   const IndexedMesh shape = noisy_torus(16, 8, 1.0, 0.4, 0.05, 11);
   for (const IndexedMesh& mesh : {scaled(shape, 1000), scaled(shape, 0.001), moved(shape, {300, -200, 100})}) {
     for (const Driver driver : {Driver::mesh, Driver::engine}) {
@@ -149,7 +149,7 @@ TYPED_TEST(ModMaxError, KeepsTheLimitOfTransformedMeshes) {
   }
 }
 
-TYPED_TEST(ModMaxError, ASecondRunKeepsTheLimitFromTheMeshAtInitialize) {
+TYPED_TEST(SlowModMaxError, ASecondRunKeepsTheLimitFromTheMeshAtInitialize) {
   for (const Driver first : {Driver::engine, Driver::mesh}) {
     Limited<TypeParam> run(noisy_sphere(3, 0.1, 4), 0.02, {}, first);
     run.decimater.decimate_to_faces(0, run.input.faces.size() / 2);
@@ -161,7 +161,7 @@ TYPED_TEST(ModMaxError, ASecondRunKeepsTheLimitFromTheMeshAtInitialize) {
   }
 }
 
-TYPED_TEST(ModMaxError, WithoutALimitNothingIsRefused) {
+TYPED_TEST(SlowModMaxError, WithoutALimitNothingIsRefused) {
   Limited<TypeParam> run(blob(2, 3), 1);
   run.module.set_max_error(std::nullopt);
   EXPECT_EQ(run.decimater.decimate(DecimateTarget::faces(20)).n_faces, 20U);
@@ -171,7 +171,7 @@ TYPED_TEST(ModMaxError, WithoutALimitNothingIsRefused) {
   EXPECT_THROW((void)run.module.is_proven(), std::logic_error);
 }
 
-TYPED_TEST(ModMaxError, FewerContractionsUnderATighterLimit) {
+TYPED_TEST(SlowModMaxError, FewerContractionsUnderATighterLimit) {
   std::uint64_t before = 0;
   for (const double share : {0.1, 0.03, 0.01, 0.001}) {
     Limited<TypeParam> run(noisy_sphere(2, 0.1, 7), share);
@@ -181,7 +181,7 @@ TYPED_TEST(ModMaxError, FewerContractionsUnderATighterLimit) {
   }
 }
 
-TYPED_TEST(ModMaxError, TheBorderHasALimitOfItsOwn) {
+TYPED_TEST(SlowModMaxError, TheBorderHasALimitOfItsOwn) {
   for (const Driver driver : {Driver::mesh, Driver::engine}) {
     Limited<TypeParam> run(terrain(16, 2), 0.05, {}, driver);
     const double border_limit = run.limit / 20;
@@ -194,7 +194,7 @@ TYPED_TEST(ModMaxError, TheBorderHasALimitOfItsOwn) {
   }
 }
 
-TYPED_TEST(ModMaxError, LimitsMayChangeBetweenRuns) {
+TYPED_TEST(SlowModMaxError, LimitsMayChangeBetweenRuns) {
   Limited<TypeParam> run(noisy_sphere(3, 0.1, 4), 0.01);
   run.decimater.decimate();
   EXPECT_TRUE(run.module.is_proven());
@@ -208,7 +208,7 @@ TYPED_TEST(ModMaxError, LimitsMayChangeBetweenRuns) {
   run.expect_within("");
 }
 
-TYPED_TEST(ModMaxError, FollowsGarbageCollection) {
+TYPED_TEST(SlowModMaxError, FollowsGarbageCollection) {
   Limited<TypeParam> run(noisy_sphere(3, 0.1, 4), 0.02);
   run.decimater.decimate_to_faces(0, run.input.faces.size() / 2);
   run.mesh.garbage_collection();
@@ -216,7 +216,7 @@ TYPED_TEST(ModMaxError, FollowsGarbageCollection) {
   EXPECT_EQ(run.module.certify().verdict, Verdict::proven);
 }
 
-TYPED_TEST(ModMaxError, TheToleranceFactorScalesTheLimits) {
+TYPED_TEST(SlowModMaxError, TheToleranceFactorScalesTheLimits) {
   Limited<TypeParam> run(noisy_sphere(2, 0.1, 7), 0.05);
   run.module.set_error_tolerance_factor(0.5);
   EXPECT_EQ(run.module.max_error(), run.limit / 2);
@@ -226,7 +226,7 @@ TYPED_TEST(ModMaxError, TheToleranceFactorScalesTheLimits) {
   run.expect_within("");
 }
 
-TYPED_TEST(ModMaxError, LimitsArePositiveAndFinite) {
+TYPED_TEST(SlowModMaxError, LimitsArePositiveAndFinite) {
   TypeParam mesh = open_mesh<TypeParam>(tetrahedron());
   ModMaxErrorT<TypeParam> module(mesh);
   for (const double wrong :
@@ -238,7 +238,7 @@ TYPED_TEST(ModMaxError, LimitsArePositiveAndFinite) {
   EXPECT_THROW((void)module.certify(), std::logic_error) << "not initialized";
 }
 
-TYPED_TEST(ModMaxError, LockedAndUnselectedVerticesStay) {
+TYPED_TEST(SlowModMaxError, LockedAndUnselectedVerticesStay) {
   for (const Driver driver : {Driver::mesh, Driver::engine}) {
     for (const bool only_selected : {false, true}) {
       Limited<TypeParam> run(blob(2, 3), 0.05, {}, driver);
@@ -256,7 +256,7 @@ TYPED_TEST(ModMaxError, LockedAndUnselectedVerticesStay) {
   }
 }
 
-TYPED_TEST(ModMaxError, AnAbortedRunKeepsTheLimit) {
+TYPED_TEST(SlowModMaxError, AnAbortedRunKeepsTheLimit) {
   Limited<TypeParam> run(noisy_sphere(3, 0.1, 4), 0.03);
   StoppingObserver observer(40);
   run.decimater.set_observer(&observer);
@@ -265,7 +265,7 @@ TYPED_TEST(ModMaxError, AnAbortedRunKeepsTheLimit) {
   run.expect_within("");
 }
 
-TYPED_TEST(ModMaxError, TheEndsOfCutsStay) {
+TYPED_TEST(SlowModMaxError, TheEndsOfCutsStay) {
   Limited<TypeParam> run(two_cubes_on_an_edge(3), 0.2);
   const std::vector<Index> firsts = first_copies(run.mesh);
   ASSERT_FALSE(firsts.empty());
@@ -297,7 +297,7 @@ void expect_kept_by_stock(const NamedMesh& shape) {
 }
 
 /// It is no promise, but it has never been seen to fail: new faces depend on v0's ring alone, which the heap follows.
-TYPED_TEST(ModMaxError, OpenMeshsDecimatersKeepTheLimitWhereV1Stays) {
+TYPED_TEST(SlowModMaxError, OpenMeshsDecimatersKeepTheLimitWhereV1Stays) {
   for (const NamedMesh& shape : holdable_meshes()) {
     expect_kept_by_stock<DecimaterT<TypeParam>, ModQuadricT<TypeParam>>(shape);
   }
@@ -307,7 +307,7 @@ TYPED_TEST(ModMaxError, OpenMeshsDecimatersKeepTheLimitWhereV1Stays) {
   }
 }
 
-TYPED_TEST(ModMaxError, InOpenMeshsDecimaterItTellsWhetherTheLimitIsKept) {
+TYPED_TEST(SlowModMaxError, InOpenMeshsDecimaterItTellsWhetherTheLimitIsKept) {
   int n_kept = 0;
   int n_broken = 0;
   for (const NamedMesh& shape : holdable_meshes()) {
@@ -328,7 +328,7 @@ TYPED_TEST(ModMaxError, InOpenMeshsDecimaterItTellsWhetherTheLimitIsKept) {
   EXPECT_GT(n_broken, 0) << "the documentation says that the limit may be exceeded";
 }
 
-TYPED_TEST(ModMaxError, RefusesToFlattenAPeak) {
+TYPED_TEST(SlowModMaxError, RefusesToFlattenAPeak) {
   TypeParam mesh = open_mesh<TypeParam>(cone(12, 2.0));
   mesh.request_vertex_status();
   mesh.request_edge_status();

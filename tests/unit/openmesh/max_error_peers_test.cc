@@ -96,7 +96,7 @@ PeerOutcome best_hausdorff(const FloatMesh& input, double limit) {
   return best;
 }
 
-TEST(ModMaxErrorBesideModHausdorff, LeavesFewerFacesAtTheSameTrueError) {
+TEST(SlowModMaxErrorBesideModHausdorff, LeavesFewerFacesAtTheSameTrueError) {
   for (const NamedMesh& shape :
        {NamedMesh{"blob", blob(3, 3)}, NamedMesh{"knot", knot(90, 12)},
         NamedMesh{"noisy torus", noisy_torus(36, 18, 1.0, 0.4, 0.01, 11)}, NamedMesh{"terrain", terrain(24, 2)}}) {
@@ -114,7 +114,7 @@ TEST(ModMaxErrorBesideModHausdorff, LeavesFewerFacesAtTheSameTrueError) {
   }
 }
 
-TEST(ModMaxErrorBesideModHausdorff, ModHausdorffsToleranceIsNoLimitOfTheError) {
+TEST(SlowModMaxErrorBesideModHausdorff, ModHausdorffsToleranceIsNoLimitOfTheError) {
   const auto input = open_mesh<FloatMesh>(knot(90, 12));
   const double tolerance = share_of_diagonal(geometry_of(input), 0.005);
   EXPECT_GT(with_hausdorff(input, tolerance).error, 1.5 * tolerance);
@@ -127,7 +127,7 @@ void print(const std::string& mesh, const std::string& what, const PeerOutcome& 
 }
 
 /// The table of docs/dev/openmesh.md. Takes some minutes.
-TEST(ModMaxErrorBesideModHausdorff, DISABLED_PrintsTheTable) {
+TEST(SlowModMaxErrorBesideModHausdorff, DISABLED_PrintsTheTable) {
   for (const auto& [name, share] :
        {std::pair("fandisk.obj", 0.002), std::pair("camelhead.off", 0.003), std::pair("bunny_28576.obj", 0.003)}) {
     WHITTLE_REAL_MESH_OR_SKIP(path, name);

@@ -99,7 +99,7 @@ TEST_P(StockArithmeticOnRealMesh, RepeatsModQuadric) {
   expect_same_collapses(read_open_mesh<DoubleMesh>(file), single.n_faces() / 100, "double");
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, StockArithmeticOnRealMesh,
+INSTANTIATE_TEST_SUITE_P(SlowMeshes, StockArithmeticOnRealMesh,
                          testing::Values("dinosaur.obj", "bunny.obj", "ankylosaurus.obj", "camel.off", "kitten.obj"),
                          [](const auto& test) {
                            const std::string name = test.param;

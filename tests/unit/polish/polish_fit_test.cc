@@ -142,7 +142,7 @@ metrics::SurfaceDistance fitted(const IndexedMesh& original, const Decimation& d
   return metrics::surface_distance(original, polished(original, d, {.passes = 3, .fit = fit}), {.samples = 50'000});
 }
 
-TEST(PolishFit, BringsDownWhatIsAskedFor) {
+TEST(SlowPolishFit, BringsDownWhatIsAskedFor) {
   double largest = 1;
   double mean = 1;
   for (const IndexedMesh& original : {sphere(5), blob(5, 4), noisy_torus(120, 60, 1, 0.4, 0.002, 5)}) {

@@ -66,7 +66,7 @@ TEST(PolishFlips, LayEdgesAlongARidge) {
   EXPECT_LE(n_flips, 8U);
 }
 
-TEST(PolishFlips, LessenTheError) {
+TEST(SlowPolishFlips, LessenTheError) {
   double product = 1;
   for (const IndexedMesh& original : {blob(5, 4), knot(200, 24), noisy_torus(120, 60, 1.0, 0.4, 0.01, 5)}) {
     for (const double ratio : {0.3, 0.05}) {

@@ -314,7 +314,7 @@ TEST(PolishOriginal, ServesSeveralCalls) {
   EXPECT_THROW(PolishOriginal{broken}, std::invalid_argument);
 }
 
-TEST(Polish, FitsSmoothSurfaces) {
+TEST(SlowPolish, FitsSmoothSurfaces) {
   for (const IndexedMesh& original : {blob(5, 4), noisy_torus(120, 60, 1.0, 0.4, 0.01, 5), knot(200, 24)}) {
     for (const double ratio : {0.5, 0.1, 0.03}) {
       const Decimation d = decimated_within_75_deg(original, ratio);

@@ -140,13 +140,13 @@ void expect_each_level(const IndexedMesh& mesh, double threshold_rel, std::size_
   for (Index f = 0; f < mesh.faces.size(); ++f) ASSERT_EQ(replay.corners(f), mesh.faces[f]);
 }
 
-TEST(ReplayOnRealMesh, HasEachLevelOfBones) {
+TEST(SlowReplayOnRealMesh, HasEachLevelOfBones) {
   WHITTLE_REAL_MESH_OR_SKIP(path, "bones.off");
   expect_each_level(io::read_mesh(path).mesh, 0.02, 1);
 }
 
 /// WHITTLE_REPLAY_STRIDE=1 compares every level, which takes a quarter of an hour.
-TEST(ReplayOnRealMesh, HasLevelsOfTheBunny) {
+TEST(SlowReplayOnRealMesh, HasLevelsOfTheBunny) {
   WHITTLE_REAL_MESH_OR_SKIP(path, "bunny.obj");
   const char* const stride = std::getenv("WHITTLE_REPLAY_STRIDE");
   expect_each_level(io::read_mesh(path).mesh, 0, stride != nullptr ? std::stoul(stride) : 500);
@@ -233,7 +233,7 @@ TEST(Replay, EndsWhereARunWithALimitOfTheErrorEnds) {
 /// The contractions of blocks are in the order of cost over all blocks, so levels on the way are fine everywhere alike.
 /// But where blocks meet they are finer than those of a run to that level. Block by block they would be 12 times as
 /// far.
-TEST(Replay, HasUsableLevelsWhereARunGoesInBlocks) {
+TEST(SlowReplay, HasUsableLevelsWhereARunGoesInBlocks) {
   const IndexedMesh mesh = test::knot(600, 120);
   DecimateOptions options;
   options.cost = Cost::memoryless;

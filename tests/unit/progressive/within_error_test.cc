@@ -25,7 +25,7 @@ std::vector<std::pair<std::string, IndexedMesh>> cad_shapes(int n) {
 }
 
 /// In fans and strips each face is long and thin, and a vertex may have an edge to each other one.
-TEST(WithinError, LeavesNoMoreFacesThanALevelOfAPlainRun) {
+TEST(SlowWithinError, LeavesNoMoreFacesThanALevelOfAPlainRun) {
   for (const int n : {64, 148}) {
     for (const auto& [name, mesh] : cad_shapes(n)) {
       for (const double error : {0.01, 0.001}) {
@@ -40,7 +40,7 @@ TEST(WithinError, LeavesNoMoreFacesThanALevelOfAPlainRun) {
   }
 }
 
-TEST(WithinError, LeavesFewFacesOfFans) {
+TEST(SlowWithinError, LeavesFewFacesOfFans) {
   for (const Caps caps : {Caps::fan, Caps::strip, Caps::center}) {
     const IndexedMesh mesh = capped_cylinder(200, caps);
     const Simplification result = simplify(mesh, DecimateTarget::max_error(0.001));
@@ -48,7 +48,7 @@ TEST(WithinError, LeavesFewFacesOfFans) {
   }
 }
 
-TEST(WithinError, LevelsOfSheetsHaveBothSides) {
+TEST(SlowWithinError, LevelsOfSheetsHaveBothSides) {
   const IndexedMesh mesh = with_backs(noisy_grid(12, 12, 0.1, 3));
   const std::vector<progressive::ProvenLevel> levels = progressive::levels_within(mesh, {0.1, 0.3});
   ASSERT_EQ(levels.size(), 2U);
@@ -61,7 +61,7 @@ TEST(WithinError, LevelsOfSheetsHaveBothSides) {
 }
 
 /// Where two cubes meet face to face, that face is there twice, and each edge of it has four faces.
-TEST(WithinError, EndsWhereSurfacesTouch) {
+TEST(SlowWithinError, EndsWhereSurfacesTouch) {
   IndexedMesh right = tessellated_cube(6);
   for (Vec3& p : right.positions) p.x() += 2;
   const IndexedMesh mesh = glued(joined(tessellated_cube(6), right));

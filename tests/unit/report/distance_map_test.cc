@@ -56,7 +56,7 @@ TEST(DistanceMap, HasTheDistanceAtEachVertex) {
   }
 }
 
-TEST(DistanceMap, CutsFacesAndLeavesTheSurface) {
+TEST(SlowDistanceMap, CutsFacesAndLeavesTheSurface) {
   for (const auto& [name, mesh] : test::all_meshes()) {
     SCOPED_TRACE(name);
     const IndexedMesh other = half_of(mesh);
@@ -67,7 +67,7 @@ TEST(DistanceMap, CutsFacesAndLeavesTheSurface) {
   }
 }
 
-TEST(DistanceMap, IsNearlyRightInside) {
+TEST(SlowDistanceMap, IsNearlyRightInside) {
   for (const auto& [name, mesh] : test::closed_meshes()) {
     SCOPED_TRACE(name);
     const IndexedMesh other = half_of(mesh);

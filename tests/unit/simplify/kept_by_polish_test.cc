@@ -60,7 +60,7 @@ SimplifyOptions with_features(double tolerance_rel) {
 
 constexpr double rounding = 1 + 1e-6;
 
-TEST(KeptByPolish, FeatureTolerance) {
+TEST(SlowKeptByPolish, FeatureTolerance) {
   std::size_t n_moved = 0;
   for (const auto& [name, mesh] : cad_shapes()) {
     for (const double tolerance_rel : {0.003, 0.0005}) {
@@ -119,7 +119,7 @@ std::vector<NamedMesh> scan_like() {
           {"terrain", terrain(80, 4)}};
 }
 
-TEST(KeptByPolish, RoundTriangles) {
+TEST(SlowKeptByPolish, RoundTriangles) {
   for (const auto& [name, mesh] : scan_like()) {
     for (const auto& [isotropy, valence_weight] :
          {ShapeOptions{0.5, 0.5}, ShapeOptions{0.2, 0.5}, ShapeOptions{0.5, 0}, ShapeOptions{0.9, 1}}) {

@@ -92,7 +92,7 @@ void expect_linear(const IndexedMesh& mesh, double offset, const std::string& wh
   }
 }
 
-TEST(LinearAttributes, StayLinearAtEveryEffortCostAndPlacement) {
+TEST(SlowLinearAttributes, StayLinearAtEveryEffortCostAndPlacement) {
   for (const double height : {0.0, 0.3}) {
     for (const bool has_seam : {false, true}) {
       for (const double offset : {0.0, 1000.0}) {

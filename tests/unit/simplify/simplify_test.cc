@@ -107,7 +107,7 @@ TEST(Simplify, LeavesOutWhatDoesNotGoWithTheTarget) {
   EXPECT_EQ(settled(DecimateTarget::as_far_as_possible()).pauses, std::vector<double>{}) << "multiples of no count";
 }
 
-TEST(Simplify, TakesTheNearerOfTwoResultsWhereMuchIsFlat) {
+TEST(SlowSimplify, TakesTheNearerOfTwoResultsWhereMuchIsFlat) {
   std::size_t n_plain = 0;
   for (const IndexedMesh& mesh : {bracket(24), bracket(40), tessellated_cube(16), open_cylinder(40, 12)}) {
     for (const double ratio : {0.2, 0.05}) {
@@ -230,7 +230,7 @@ TEST(SimplifyToLevels, GivesEachLevelItsCountAndPolishesIt) {
   }
 }
 
-TEST(SimplifyToLevels, IsAsAccurateAsARunToEachLevel) {
+TEST(SlowSimplifyToLevels, IsAsAccurateAsARunToEachLevel) {
   const IndexedMesh mesh = test::blob(5, 3);
   std::vector<DecimateTarget> targets;
   for (const std::uint64_t n : {8000U, 2000U, 500U}) targets.push_back(DecimateTarget::faces(n));

@@ -111,7 +111,7 @@ TEST(Mutations, OfBytesProveNothingFalse) {
 }
 
 /// The certificate of other meshes: vertices were moved, faces turned, taken away or given other corners.
-TEST(Mutations, OfMeshesProveNothingFalse) {
+TEST(SlowMutations, OfMeshesProveNothingFalse) {
   const std::vector<Case> all = cases();
   Random random(18);
   int n_taken = 0;

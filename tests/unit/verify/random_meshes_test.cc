@@ -223,7 +223,7 @@ TEST(VerifyRandom, ProvesNothingFalseOfAnyFaces) {
   EXPECT_GT(found.n_proofs, 60U);
 }
 
-TEST(VerifyRandom, ProvesNothingFalseOfClosedSurfaces) {
+TEST(SlowVerifyRandom, ProvesNothingFalseOfClosedSurfaces) {
   Random random(3);
   Found found;
   for (int i = 0; i < 60; ++i) {

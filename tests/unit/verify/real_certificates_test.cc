@@ -42,7 +42,7 @@ std::vector<NamedMesh> meshes() {
   return all;
 }
 
-TEST(RealCertificates, Hold) {
+TEST(SlowRealCertificates, Hold) {
   for (const auto& [name, mesh] : meshes()) {
     for (const double share : {0.5, 0.1}) {
       const auto n_faces = static_cast<std::uint64_t>(share * static_cast<double>(mesh.faces.size()));

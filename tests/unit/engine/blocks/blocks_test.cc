@@ -229,7 +229,7 @@ bool keeps_exact_order(const IndexedMesh& mesh, const DecimateTarget& target, co
   return blocks.result.why_in_one_pass.empty();
 }
 
-TEST(BlocksInExactOrder, GiveWhatOnePassGives) {
+TEST(SlowBlocksInExactOrder, GiveWhatOnePassGives) {
   int n_in_blocks = 0;
   for (const auto& [name, mesh] : larger_meshes()) {
     for (const std::size_t divisor : {2U, 10U, 50U}) {
@@ -351,7 +351,7 @@ TEST(Blocks, KeepLockedVerticesAndBorders) {
   EXPECT_EQ(topology(bordered.mesh).border_edges, topology(mesh).border_edges);
 }
 
-TEST(Blocks, ErrHardlyMoreThanOnePassOverAll) {
+TEST(SlowBlocks, ErrHardlyMoreThanOnePassOverAll) {
   const BlockPlan plan{.fewest_faces = 1, .fewest_faces_again = 1000, .faces_per_block = 1000};
   double log_sum = 0;
   int n = 0;
