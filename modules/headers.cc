@@ -1,1 +1,0 @@
-// Empty: the target of the precompiled headers needs a source file.
