@@ -1,5 +1,6 @@
 // Somebody who looks at a page and uses it, by mouse, keyboard or touch.
 'use strict';
+
 const patience = 20000; // milliseconds, on a busy machine
 
 class Visitor {
@@ -96,7 +97,8 @@ class Visitor {
     if (await this.value(name) !== value) throw new Error(`the arrow keys don't choose ${value}`);
   }
 
-  /** A point of the window, where nothing but the legend, over the canvas, covers the control. \param x, y shares of the control's width and height */
+  /** A point of the window. Nothing covers the control there, but the legend, which lies over the canvas.
+      \param x, y shares of the control's width and height */
   point(name, x, y) {
     return this.page.evaluate(([control, right, down]) => {
       const element = document.getElementById(control) ?? document.querySelector(control);

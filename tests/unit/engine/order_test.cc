@@ -316,7 +316,7 @@ TEST(ContractionOrderOfTies, IsThatOfBruteForceWhereALockedVertexSurvives) {
   }
 }
 
-constexpr std::size_t n_faces_of_slow = 300;  // brute force takes seconds from here on
+constexpr std::size_t n_faces_of_slow = 300;  // brute force takes longest on these
 
 std::vector<Case> shapes_of(bool is_slow) {
   std::vector<Case> shapes = all_shapes();
