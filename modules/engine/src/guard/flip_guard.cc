@@ -16,9 +16,12 @@ WHITTLE_INLINE bool exceeds_in_lanes(const TriangleComplex& complex, const FlipL
   const auto from_lanes = point_lanes<Real>(everywhere(from));
   const auto to_lanes = point_lanes<Real>(everywhere(to));
   for (std::size_t i = 0; i < faces.size(); i += n_lanes<Real>) {
-    const auto face = [&](std::size_t lane) { return faces[std::min(i + lane, faces.size() - 1)]; };
-    const auto x = point_lanes<Real>([&](std::size_t lane) -> const Vec3& { return complex.position(face(lane).x); });
-    const auto y = point_lanes<Real>([&](std::size_t lane) -> const Vec3& { return complex.position(face(lane).y); });
+    const auto face = [&](std::size_t lane)
+                          WHITTLE_INLINE_LAMBDA { return faces[std::min(i + lane, faces.size() - 1)]; };
+    const auto x = point_lanes<Real>(
+        [&](std::size_t lane) WHITTLE_INLINE_LAMBDA -> const Vec3& { return complex.position(face(lane).x); });
+    const auto y = point_lanes<Real>(
+        [&](std::size_t lane) WHITTLE_INLINE_LAMBDA -> const Vec3& { return complex.position(face(lane).y); });
     if (limit.is_exceeded(from_lanes, to_lanes, x, y)) return true;
   }
   return false;

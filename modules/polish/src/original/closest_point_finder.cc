@@ -31,7 +31,8 @@ WHITTLE_INLINE std::int32_t least(Int8 x) {
 
 /// \param number of the corner at its vertex \param next, last barycentric coordinates of the two corners after this
 /// one
-ClosestFacePoint closest_point(const Corner& corner, std::size_t number, float next, float last, float distance) {
+WHITTLE_INLINE ClosestFacePoint closest_point(const Corner& corner, std::size_t number, float next, float last,
+                                              float distance) {
   const std::array<float, 3> weights{1 - next - last, next, last};  // of the corners from this one on
   constexpr std::array<std::size_t, 3> second{1, 0, 2};
   constexpr std::array<std::size_t, 3> third{2, 1, 0};
