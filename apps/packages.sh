@@ -1,9 +1,10 @@
 # Sourced by apps/demo.sh and tests/run.sh: saying what is done, and installing the Debian packages it takes.
 
-# What building takes; the tests come with the build.
-build_packages=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libnanoflann-dev libcli11-dev libfast-float-dev
-  nlohmann-json3-dev zlib1g-dev libzstd-dev libxxhash-dev libmeshoptimizer-dev libdraco-dev libwebp-dev libpng-dev
-  libjpeg-dev libegl-dev libgl-dev libgl1-mesa-dri libgtest-dev libgmock-dev)
+# What building the program takes, and what reports, pictures and the tests take beside.
+program_packages=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libnanoflann-dev libcli11-dev libfast-float-dev
+  nlohmann-json3-dev zlib1g-dev libzstd-dev libxxhash-dev libmeshoptimizer-dev libdraco-dev)
+build_packages=("${program_packages[@]}" libwebp-dev libpng-dev libjpeg-dev libegl-dev libgl-dev libgl1-mesa-dri
+  libgtest-dev libgmock-dev)
 
 say() { printf '== %s\n' "$*"; }
 
