@@ -169,7 +169,7 @@ function end_section() {
 # The HTML of a page; sets title, and in_code while within a block of C++.
 function body(page, line, html, level, name, command) {
   command = cmark " -e table -e autolink -e strikethrough '" source "/" page "'"
-  html = title = section = text = ""
+  html = title = section = text = contents = ""
   in_code = 0
   url = id_of(page) ".html"
   for (name in n_slugs) delete n_slugs[name]
@@ -185,6 +185,7 @@ function body(page, line, html, level, name, command) {
         continue
       }
       url = id_of(page) ".html#" name
+      if (level == 2) contents = contents (contents ? " · " : "") "<a href=\"#" name "\">" escaped(section) "</a>"
       html = html "<h" level " id=\"" name "\">" with_links(page, line) " <a class=\"self\" href=\"#" name "\">#</a></h" level ">\n"
       continue
     }
@@ -213,6 +214,7 @@ function body(page, line, html, level, name, command) {
     failed = 1
   }
   end_section()
+  if (contents ~ /·.*·/ && page != first) html = "<p class=\"toc\">On this page: " contents "</p>\n" html
   return html
 }
 

@@ -11,10 +11,11 @@
     document.head.appendChild(script);
   }
 
-  // How well a name fits: 3 equal, 2 begins with it, 1 contains it, 0 not at all.
+  // How well a name fits: 3 equal, 2 begins or ends with it, 1 contains it, 0 not at all.
   function fit(name, query) {
     name = name.toLowerCase();
-    return name === query ? 3 : name.startsWith(query) ? 2 : name.includes(query) ? 1 : 0;
+    if (name === query) return 3;
+    return name.startsWith(query) || name.endsWith(" " + query) ? 2 : name.includes(query) ? 1 : 0;
   }
 
   function hasAll(text, words) {
@@ -31,20 +32,22 @@
     var words = query.toLowerCase().split(/\s+/).filter(Boolean);
     if (!words.length) return [];
     var whole = words.join(" "), results = [];
-    siteSections.forEach(function (row) {
-      var title = row[1] === row[2] ? row[1] : row[1] + " › " + row[2];
+    siteSections.forEach(function (row, i) {
+      var title = row[1] === row[2] ? row[1] : row[1] + " › " + row[2], text = row[3].toLowerCase();
       var inTitle = hasAll(title.toLowerCase(), words);
-      if (!inTitle && !hasAll((title + " " + row[3]).toLowerCase(), words)) return;
-      var rank = inTitle ? 4 + fit(row[2], whole) : row[3].toLowerCase().includes(whole) ? 2 : 1;
-      results.push({rank: rank, url: row[0], title: title, more: excerpt(row[3], words[0])});
+      if (!inTitle && !hasAll(title.toLowerCase() + " " + text, words)) return;
+      var rank = inTitle ? 4 + fit(row[2], whole) : 1 + Math.min(text.split(whole).length - 1, 9) / 5;
+      if (/^(modules|tests)/.test(row[0])) rank -= 2;
+      results.push({rank: rank - i / 1e5, url: row[0], title: title, more: excerpt(row[3], words[0])});
     });
     siteSymbols.forEach(function (row) {
       if (!hasAll(row[1].toLowerCase(), words)) return;
       var last = fit(row[1].split(/::|\//).pop(), whole);
       var isWhole = /class|struct|file|namespace/.test(row[2]);
-      results.push({rank: last ? 2 + 1.5 * last + (isWhole ? .5 : 0) : 1.5, url: row[0], title: row[1], more: row[2]});
+      var rank = last ? 2 + 1.5 * last + (isWhole ? .5 : 0) : 1.5;
+      results.push({rank: rank - row[1].length / 1e4, url: row[0], title: row[1], more: row[2]});
     });
-    results.sort(function (a, b) { return b.rank - a.rank || a.title.length - b.title.length; });
+    results.sort(function (a, b) { return b.rank - a.rank; });
     return results;
   }
 
