@@ -1,7 +1,7 @@
 # awk -v html=FOLDER -f finish.awk TAGS: what Doxygen leaves to do. TAGS is its tag file.
 # Writes symbols.js, the classes, functions and headers for search.js. Then mends links of Doxygen 1.9.4: those of its tree
-# from a header to a function, whose text is on the page of the namespace, and those to lists of nested classes that are
-# private and so not listed.
+# from a header to a function, whose text is on the page of the namespace, those to lists of nested classes that are
+# private and so not listed, and the menu's, as a list of pages has none that are below the landing page.
 
 function content(line) {
   gsub(/^[^>]*>|<\/.*$/, "", line)
@@ -41,7 +41,8 @@ function mend(file, line, lines, n, i, is_script, has_list, changed) {
   for (i = 1; i <= n; i++) {
     line = lines[i]
     if (is_script) line = with_homes(line)
-    else if (!has_list) sub(/<a href="#nested-classes">[^<]*<\/a>( &#124;)?/, "", line)
+    if (file ~ /menudata\.js$/) sub(/\{text:"Related Pages",url:"pages.html"\}/, menu, line)
+    if (!is_script && !has_list) sub(/<a href="#nested-classes">[^<]*<\/a>( &#124;)?/, "", line)
     changed = changed || line != lines[i]
     lines[i] = line
   }
@@ -54,6 +55,11 @@ function mend(file, line, lines, n, i, is_script, has_list, changed) {
 BEGIN {
   symbols = html "/symbols.js"
   print "var siteSymbols = [" > symbols
+  n = split("user Using whittle,dev For developers,changelog Changelog,contributing Contributing,reference The reference", pages, ",")
+  for (i = 1; i <= n; i++) {
+    at = index(pages[i], " ")
+    menu = menu (i > 1 ? "," : "") "{text:\"" substr(pages[i], at + 1) "\",url:\"" substr(pages[i], 1, at - 1) ".html\"}"
+  }
 }
 /<compound / || /<member / {
   is_member = /<member /

@@ -58,6 +58,14 @@ async function fits(page, base, width) {
   }
 }
 
+/** Where the tree has no room, the menu has the pages. */
+async function hasAMenu(page, base) {
+  await page.goto(`${base}/user_simplify.html`);
+  await page.click('.main-menu-btn');
+  await page.click('#main-menu >> text=For developers');
+  await page.waitForURL(/dev\.html$/);
+}
+
 /** How light the middle of the page's left edge is, from 0 to 255. */
 async function lightness(page, base) {
   await page.goto(`${base}/user_simplify.html`);
@@ -91,6 +99,7 @@ async function main() {
   await withPage(findsTextAndNames, `http://127.0.0.1:${server.address().port}`);
   await withPage(fits, files, {width: 400});
   await withPage(fits, files);
+  await withPage(hasAMenu, files, {width: 400});
   const light = await withPage(lightness, files);
   const dark = await withPage(lightness, files, {colorScheme: 'dark'});
   assert.ok(light > 200 && dark < 60, `light ${light}, dark ${dark}`);
