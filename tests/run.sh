@@ -32,7 +32,7 @@ step() { say "[$(((SECONDS - started) / 60)) min] $*"; }
 
 packages=("${build_packages[@]}")
 if [ "$mode" = whole ]; then
-  packages+=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen groff-base pkg-config git chromium)
+  packages+=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen cmark-gfm groff-base pkg-config git chromium)
 fi
 install_packages "$logs/packages.log" "${packages[@]}"
 command -v npm >/dev/null || install_packages "$logs/packages.log" nodejs npm
@@ -59,7 +59,7 @@ step "GCC: building everything optimised, warnings are errors"
 configure release -DWHITTLE_UNITY_TESTS=ON
 build release
 
-step "Doxygen: the reference of the public headers, warnings are errors"
+step "Doxygen: the site of pages and reference, warnings are errors"
 quietly "$logs/docs.log" cmake --build --preset docs
 
 step "clang-tidy on the modules and the program, Clang's own warnings among its checks"
