@@ -69,7 +69,8 @@ quietly "$logs/tidy.log" check_tidy
 
 # Without the program: it takes long to build and has few pointers.
 step "Clang: building the libraries and their tests with asserts and sanitizers (address, undefined behaviour)"
-configure asan -B build/clang -DCMAKE_CXX_COMPILER=clang++-14 -DWHITTLE_WARNINGS_AS_ERRORS=ON -DWHITTLE_BUILD_APPS=OFF -DCMAKE_UNITY_BUILD=ON
+configure asan -B build/clang -DCMAKE_CXX_COMPILER=clang++-14 -DWHITTLE_WARNINGS_AS_ERRORS=ON -DWHITTLE_BUILD_APPS=OFF -DCMAKE_UNITY_BUILD=ON \
+  -DCMAKE_UNITY_BUILD_BATCH_SIZE=24
 build clang
 step "Clang: running the tests"
 quietly "$logs/test-clang.log" ctest --test-dir build/clang --output-on-failure --parallel "$jobs" --label-exclude slow
