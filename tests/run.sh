@@ -2,7 +2,8 @@
 # bash tests/run.sh         every check of the project, starting from a fresh Debian 12. Installs what it needs and checks
 #                           the style. Builds everything with GCC, optimised, and the libraries with Clang under the
 #                           sanitizers. Runs the tests of both.
-# bash tests/run.sh quick   only what GCC builds, and without the slow tests
+# bash tests/run.sh quick   the unit tests of what is changed since the last commit, built with GCC; without any change,
+#                           those of the modules core, engine and simplify
 # The logs of all steps are in build/run/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -13,7 +14,18 @@ case $mode in whole | quick) ;; *) fail "usage: bash tests/run.sh [quick]" ;; es
 logs=build/run
 jobs=$(nproc)
 
-configure() { quietly "$logs/configure-$1.log" cmake --preset "$1" "${@:2}"; }
+# With ccache, what was compiled before, in this folder or another, is not compiled again. What the compiler is told beside
+# is what precompiled headers take then.
+cached=()
+for_gcc="${CXXFLAGS:-}" for_clang="${CXXFLAGS:-}"
+if command -v ccache >/dev/null; then
+  cached=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  for_gcc+=" -fpch-preprocess"
+  for_clang+=" -Xclang -fno-pch-timestamp"
+  export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+fi
+
+configure() { CXXFLAGS=$for_gcc quietly "$logs/configure-$1.log" cmake --preset "$1" "${cached[@]}" "${@:2}"; }
 build() { quietly "$logs/build-$1.log" cmake --build "build/$1" --parallel "$jobs"; }
 
 check_format() {
@@ -27,6 +39,35 @@ check_tidy() {
     -header-filter='/(modules|apps)/.*\.(hh|cc)$' "/unity_[^/]*\.cxx$"
 }
 
+# The folders of tests of what is changed since the last commit. Modules without unit tests are tested by the program's.
+changed_folders() {
+  local folder
+  { git diff --name-only HEAD && git ls-files --others --exclude-standard; } |
+    sed -nE 's#^(modules|tests/unit)/([^/]+)/.*#unit/\2#p; s#^(apps/whittle|tests/(cli|program))/.*#cli#p' |
+    while IFS= read -r folder; do
+      if [ -d "tests/$folder" ]; then echo "$folder"; else echo cli; fi
+    done | sort -u
+}
+
+run_quick() {
+  local folder
+  local -a folders targets
+  mapfile -t folders < <(changed_folders)
+  if [ ${#folders[@]} = 0 ]; then folders=(unit/core unit/engine unit/simplify); fi
+  targets=(test_structure "${folders[@]/%//all}")
+  targets=("${targets[@]/#unit/tests/unit}")
+  targets=("${targets[@]/#cli/tests/cli}")
+  step "GCC: building the tests of ${folders[*]}"
+  configure release -DWHITTLE_UNITY_TESTS=ON
+  quietly "$logs/build-quick.log" cmake --build build/release --parallel "$jobs" --target "${targets[@]}"
+  for folder in structure "${folders[@]}"; do
+    step "Running the tests of tests/$folder but the slow ones"
+    quietly "$logs/test-${folder##*/}.log" ctest --test-dir "build/release/tests/$folder" --output-on-failure \
+      --parallel "$jobs" --label-exclude slow
+    tail -n 3 "$logs/test-${folder##*/}.log"
+  done
+}
+
 started=$SECONDS
 step() { say "[$(((SECONDS - started) / 60)) min] $*"; }
 
@@ -38,11 +79,7 @@ install_packages "$logs/packages.log" "${packages[@]}"
 command -v npm >/dev/null || install_packages "$logs/packages.log" nodejs npm
 
 if [ "$mode" = quick ]; then
-  step "GCC: building everything optimised"
-  configure release -DWHITTLE_UNITY_TESTS=ON
-  build release
-  step "GCC: running all tests but the slow ones"
-  ctest --preset release --parallel "$jobs" --label-exclude slow
+  run_quick
   exit
 fi
 
@@ -63,13 +100,13 @@ step "Doxygen: the site of pages and reference, warnings are errors"
 quietly "$logs/docs.log" cmake --build --preset docs
 
 step "clang-tidy on the modules and the program, Clang's own warnings among its checks"
-configure dev -B build/tidy -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
+quietly "$logs/configure-tidy.log" cmake --preset dev -B build/tidy -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
   -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DWHITTLE_BUILD_TESTS=OFF
 quietly "$logs/tidy.log" check_tidy
 
 # Without the program: it takes long to build and has few pointers.
 step "Clang: building the libraries and their tests with asserts and sanitizers (address, undefined behaviour)"
-configure asan -B build/clang -DCMAKE_CXX_COMPILER=clang++-14 -DWHITTLE_WARNINGS_AS_ERRORS=ON -DWHITTLE_BUILD_APPS=OFF -DCMAKE_UNITY_BUILD=ON \
+CXXFLAGS=$for_clang quietly "$logs/configure-clang.log" cmake --preset asan "${cached[@]}" -B build/clang -DCMAKE_CXX_COMPILER=clang++-14 -DWHITTLE_WARNINGS_AS_ERRORS=ON -DWHITTLE_BUILD_APPS=OFF -DCMAKE_UNITY_BUILD=ON \
   -DCMAKE_UNITY_BUILD_BATCH_SIZE=24
 build clang
 step "Clang: running the tests"
