@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Makes the Debian packages, whittle_*.deb and libwhittle-dev_*.deb, in the build folder: build/packages, or the argument.
+# On Debian 12, as root or with sudo; installs what building takes. tests/package/debian.sh tries the packages.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source apps/packages.sh
+
+build=${1:-build/packages}
+mkdir -p "$build"
+install_packages "$build/packages.log" "${build_packages[@]}" dpkg-dev file
+command -v npm >/dev/null || install_packages "$build/packages.log" npm
+
+say "Building (a few minutes the first time)"
+quietly "$build/configure.log" cmake --preset release -B "$build" -DWHITTLE_BUILD_TESTS=OFF
+quietly "$build/build.log" cmake --build "$build" --parallel "$(nproc)"
+quietly "$build/cpack.log" cpack --config "$build/CPackConfig.cmake" -B "$build"
+say "Done:" "$build"/*.deb
