@@ -11,7 +11,7 @@ install_packages "$build/packages.log" "${build_packages[@]}" dpkg-dev file
 command -v npm >/dev/null || install_packages "$build/packages.log" npm
 
 say "Building (a few minutes the first time)"
-quietly "$build/configure.log" cmake --preset release -B "$build" -DWHITTLE_BUILD_TESTS=OFF
+quietly "$build/configure.log" cmake --preset release -B "$build" -DWHITTLE_BUILD_TESTS=OFF -DCMAKE_INSTALL_PREFIX=/usr
 quietly "$build/build.log" cmake --build "$build" --parallel "$(nproc)"
 quietly "$build/cpack.log" cpack --config "$build/CPackConfig.cmake" -B "$build"
 say "Done:" "$build"/*.deb

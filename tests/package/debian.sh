@@ -4,13 +4,14 @@
 #
 #   debian.sh [BUILD]
 #
-# BUILD is the folder of a complete build (default: build/release). Takes root, debootstrap, lintian and a network, and
-# ends with status 77 where these are not there. The roots and logs are in BUILD/debian.
+# BUILD is the folder of apps/packaging/debian.sh, default build/packages, or of another complete build. Takes root,
+# debootstrap, lintian and a network, and ends with status 77 where these are not there. The roots and logs are in
+# BUILD/debian.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$here/roots.sh"
 
-build=$(cd "${1:-$source_folder/build/release}" && pwd)
+build=$(cd "${1:-$source_folder/build/packages}" && pwd)
 work=$build/debian
 root=$work/root
 consumer=/source/tests/package/consumer # in the root
@@ -36,7 +37,7 @@ packages=("$work"/whittle_*.deb "$work"/libwhittle-dev_*.deb)
 ls -l "${packages[@]}"
 
 say "lintian: errors and warnings fail"
-lintian --allow-root --no-tag-display-limit --fail-on error,warning "${packages[@]}" || fail "lintian found something"
+lintian --allow-root --tag-display-limit 0 --fail-on error,warning "${packages[@]}" || fail "lintian found something"
 
 fresh_root bookworm
 mkdir "$root/packages"
