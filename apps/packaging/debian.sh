@@ -1,6 +1,9 @@
 #!/usr/bin/env bash
-# Makes the Debian packages, whittle_*.deb and libwhittle-dev_*.deb, in the build folder: build/packages, or the argument.
-# On Debian 12, as root or with sudo; installs what building takes. tests/package/debian.sh tries the packages.
+# Makes the Debian packages, whittle_*.deb and libwhittle-dev_*.deb.
+#
+#   debian.sh [BUILD]     on Debian 12, as root or with sudo; BUILD, where the packages come, is build/packages by default
+#
+# It installs what building takes. tests/package/debian.sh tries the packages.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source apps/packages.sh

@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# Makes the program for Linux distributions from about 2019 on, as BUILD/whittle-VERSION-linux-MACHINE.tar.gz. All libraries
-# are linked into it but glibc and GCC's libgcc_s, which every system has.
+# Makes the program for Linux with glibc 2.29 or newer, as BUILD/whittle-VERSION-linux-MACHINE.tar.gz. All libraries are
+# linked into it but glibc and GCC's libgcc_s, which every system has.
 #
 #   portable.sh [BUILD]     on Debian 12, as root or with sudo; BUILD is build/portable by default
 #
-# It is linked with Debian 11's glibc, as a program asks for symbols as new as those that it was linked with. Debian has no
-# archives of OpenMesh and meshoptimizer: they are built of Debian's sources.
+# It is linked with Debian 11's glibc, as a program asks for symbols as new as those that it was linked with. Debian has
+# no archives of OpenMesh and meshoptimizer: they are built of Debian's sources. tests/package/portable.sh tries it.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 cd "$here/../.."
 source apps/packages.sh
 
-# Of math functions, which have been faster since. README.md and docs say it.
+# That of the newest math functions. README.md says it, too.
 newest_glibc=2.29
 mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
 mkdir -p "${1:-build/portable}"
@@ -23,8 +23,8 @@ jobs=$(nproc)
 
 # apt_apart COMMAND...: with lists of its own, so that those of the system stay as they are.
 apt_apart() {
-  apt-get -o Dir::Etc::SourceList="$sources/sources.list" -o Dir::Etc::SourceParts=- -o Dir::State::Lists="$sources/lists" \
-    -o APT::Sandbox::User="$(id -un)" -o Debug::NoLocking=1 "$@"
+  apt-get -o Dir::Etc::SourceList="$sources/sources.list" -o Dir::Etc::SourceParts=- \
+    -o Dir::State::Lists="$sources/lists" -o APT::Sandbox::User="$(id -un)" -o Debug::NoLocking=1 "$@"
 }
 
 get_sources() {
@@ -90,9 +90,9 @@ fi
 say "Building the program"
 machine=$(gcc -print-multiarch)
 g++ -std=c++20 -O2 -fPIE -c apps/packaging/portable/old_glibc.cc -o "$build/old_glibc.o"
-quietly "$build/configure.log" cmake --preset release -B "$build" -DWHITTLE_BUILD_TESTS=OFF -DWHITTLE_STATIC_PROGRAM=ON \
-  -DCMAKE_PREFIX_PATH="$archives" \
-  -DCMAKE_EXE_LINKER_FLAGS="$build/old_glibc.o --sysroot=$old -B$old/usr/lib/$machine -L$old/usr/lib/$machine -L$old/lib/$machine"
+flags="--sysroot=$old -B$old/usr/lib/$machine -L$old/usr/lib/$machine -L$old/lib/$machine"
+quietly "$build/configure.log" cmake --preset release -B "$build" -DWHITTLE_BUILD_TESTS=OFF \
+  -DWHITTLE_STATIC_PROGRAM=ON -DCMAKE_PREFIX_PATH="$archives" -DCMAKE_EXE_LINKER_FLAGS="$build/old_glibc.o $flags"
 quietly "$build/build.log" cmake --build "$build" --parallel "$jobs" --target whittle whittle_printed_files
 
 version=$("$build/bin/whittle" --version | cut -d' ' -f2)

@@ -27,7 +27,8 @@ class Whittle(ConanFile):
         return Path(self.recipe_folder, "../../..").resolve()
 
     def set_version(self):
-        self.version = re.search(r"VERSION (\S+)", load(self, self._checkout / "CMakeLists.txt").split("project(")[1])[1]
+        project = load(self, self._checkout / "CMakeLists.txt").split("project(")[1]
+        self.version = re.search(r"VERSION (\S+)", project)[1]
 
     def export_sources(self):
         for pattern in ("CMakeLists.txt", "LICENSE", "CHANGELOG.md", "modules/*", "apps/*", "docs/*"):

@@ -1,5 +1,5 @@
-// What Debian 12's libstdc++.a and headers take from glibc 2.32 and 2.36, for a program that starts with glibc 2.29, too.
-// portable.sh links it.
+// What Debian 12's libstdc++.a and headers take from glibc 2.32 and 2.36, for a program that starts with glibc 2.29,
+// too. portable.sh links it.
 #include <sys/random.h>
 
 #include <cstdlib>
