@@ -11,10 +11,11 @@ source apps/packages.sh
 build=${1:-build/packages}
 mkdir -p "$build"
 install_packages "$build/packages.log" "${build_packages[@]}" dpkg-dev file
-command -v npm >/dev/null || install_packages "$build/packages.log" npm
+command -v npm >/dev/null || install_packages "$build/packages.log" npm ca-certificates
 
 say "Building (a few minutes the first time)"
 quietly "$build/configure.log" cmake --preset release -B "$build" -DWHITTLE_BUILD_TESTS=OFF -DCMAKE_INSTALL_PREFIX=/usr
+if grep 'built without' "$build/configure.log" >&2; then fail "a package is to have everything"; fi
 quietly "$build/build.log" cmake --build "$build" --parallel "$(nproc)"
 quietly "$build/cpack.log" cpack --config "$build/CPackConfig.cmake" -B "$build"
 say "Done:" "$build"/*.deb

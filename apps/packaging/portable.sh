@@ -73,7 +73,7 @@ copy_licences() {
 }
 
 install_packages "$build/packages.log" "${build_packages[@]}" dpkg-dev libwebp-dev
-command -v npm >/dev/null || install_packages "$build/packages.log" npm
+command -v npm >/dev/null || install_packages "$build/packages.log" npm ca-certificates
 
 if [ ! -e "$build/archives.done" ]; then
   say "Getting the sources of OpenMesh and meshoptimizer, and Debian 11's glibc"
@@ -93,6 +93,7 @@ g++ -std=c++20 -O2 -fPIE -c apps/packaging/portable/old_glibc.cc -o "$build/old_
 flags="--sysroot=$old -B$old/usr/lib/$machine -L$old/usr/lib/$machine -L$old/lib/$machine"
 quietly "$build/configure.log" cmake --preset release -B "$build" -DWHITTLE_BUILD_TESTS=OFF \
   -DWHITTLE_STATIC_PROGRAM=ON -DCMAKE_PREFIX_PATH="$archives" -DCMAKE_EXE_LINKER_FLAGS="$build/old_glibc.o $flags"
+if grep 'built without' "$build/configure.log" >&2; then fail "the archive is to have everything"; fi
 quietly "$build/build.log" cmake --build "$build" --parallel "$jobs" --target whittle whittle_printed_files
 
 version=$("$build/bin/whittle" --version | cut -d' ' -f2)

@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2154 # who sources it sets them
 # Sourced by debian.sh and portable.sh: fresh root folders of Debian, and the README's examples in them. They set `work`, a
 # folder for the roots and logs, and `root`, the root that is used. DEBIAN_MIRROR names another mirror.
 source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
