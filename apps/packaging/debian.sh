@@ -8,8 +8,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source apps/packages.sh
 
-build=${1:-build/packages}
-mkdir -p "$build"
+mkdir -p "${1:-build/packages}"
+build=$(cd "${1:-build/packages}" && pwd)
 install_packages "$build/packages.log" "${build_packages[@]}" dpkg-dev file
 command -v npm >/dev/null || install_packages "$build/packages.log" npm ca-certificates
 
