@@ -13,6 +13,7 @@
 #include "options/command_line.hh"
 #include "options/help.hh"
 #include "options/parse_problems.hh"
+#include "system/system.hh"
 #include "terminal/errors.hh"
 #include "terminal/exit_code.hh"
 #include "terminal/interruption.hh"
@@ -54,13 +55,14 @@ std::string no_subcommand(const CLI::App& app, int argc, char** argv) {
 }
 
 /// `help`, `help simplify` as `--help`, `simplify --help`. A word that is no subcommand is left, to be refused.
-std::vector<char*> without_help_word(const CLI::App& app, int argc, char** argv) {
+std::vector<char*> without_help_word(const CLI::App& app, std::vector<std::string>& words) {
   static char help[] = "--help";
-  std::vector<char*> arguments(argv, argv + argc);
-  if (argc < 2 || std::string(argv[1]) != "help") return arguments;
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  if (words.size() < 2 || words[1] != "help") return arguments;
   arguments.erase(arguments.begin() + 1);
   const std::vector<std::string> names = subcommand_names(app);
-  if (argc == 2 || std::find(names.begin(), names.end(), argv[2]) != names.end()) arguments.push_back(help);
+  if (words.size() == 2 || std::find(names.begin(), names.end(), words[2]) != names.end()) arguments.push_back(help);
   return arguments;
 }
 
@@ -95,7 +97,9 @@ int main(int argc, char** argv) {
   using namespace whittle::app;
   std::ios::sync_with_stdio(false);
   try {
+    set_up_streams();
     handle_signals();
+    std::vector<std::string> words = words_of_command_line(argc, argv);
     CLI::App app("Makes triangle meshes smaller and keeps their shape.", "whittle");
     app.formatter(std::make_shared<HelpFormatter>());
     app.set_help_flag("-h,--help", "print this help");
@@ -108,7 +112,7 @@ int main(int argc, char** argv) {
         "'whittle SUBCOMMAND --help' tells the options of each, and so does 'whittle help SUBCOMMAND'.\n"
         "Exit status: " +
         std::string(exit_statuses));
-    std::vector<char*> arguments = without_help_word(app, argc, argv);
+    std::vector<char*> arguments = without_help_word(app, words);
     return parse_and_run(app, command, static_cast<int>(arguments.size()), arguments.data());
   } catch (...) {
     const Failure failure = current_failure();

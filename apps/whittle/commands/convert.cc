@@ -6,6 +6,7 @@
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "system/system.hh"
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/progress.hh"

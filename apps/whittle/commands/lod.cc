@@ -12,6 +12,7 @@
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "system/system.hh"
 #include "terminal/interruption.hh"
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"

@@ -8,6 +8,7 @@
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "system/system.hh"
 #include "terminal/interruption.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/table.hh"

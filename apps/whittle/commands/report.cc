@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "commands/page/desktop.hh"
 #include "commands/page/make_page.hh"
 #include "commands/subcommands.hh"
 #include "files/output.hh"
@@ -12,6 +11,7 @@
 #include "pictures/animation.hh"
 #include "pictures/compare_pictures.hh"
 #include "pictures/frames.hh"
+#include "system/system.hh"
 #include "terminal/table.hh"
 #include "whittle/core/progress.hh"
 

@@ -11,6 +11,7 @@
 #include "files/output.hh"
 #include "files/report.hh"
 #include "options/targets.hh"
+#include "system/system.hh"
 #include "terminal/table.hh"
 #include "whittle/core/detail/cores.hh"
 #include "whittle/core/flat_arrays.hh"

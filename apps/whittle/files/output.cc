@@ -1,15 +1,12 @@
 #include "files/output.hh"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <set>
 
 #include "files/input.hh"
+#include "system/system.hh"
 #include "terminal/errors.hh"
 #include "terminal/interruption.hh"
 
@@ -28,8 +25,8 @@ void check_folder(const std::string& path) {
   fs::path folder = fs::path(path).parent_path();
   if (folder.empty()) folder = ".";
   if (!fs::is_directory(folder, error)) throw io::WriteError(path, "there is no folder " + folder.string());
-  if (::access(folder.c_str(), W_OK) != 0) {
-    throw io::WriteError(path, "can't write to its folder: " + std::string(std::strerror(errno)));
+  if (const std::string why = why_not_writable(folder.string()); !why.empty()) {
+    throw io::WriteError(path, "can't write to its folder: " + why);
   }
 }
 

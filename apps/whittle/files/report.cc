@@ -1,13 +1,12 @@
 #include "files/report.hh"
 
-#include <sys/resource.h>
-
 #include <ostream>
 #include <sstream>
 
 #include "files/input.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
+#include "system/system.hh"
 #include "terminal/table.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
@@ -131,12 +130,6 @@ Json input_json(const Scene& input, double diagonal) {
       {"diagonal", diagonal}, {"repairs", repairs_json(input.read.repairs)},  {"weld_tolerance", input.weld_tolerance}};
   if (!input.joined.empty()) json["joined"] = input.joined;
   return json;
-}
-
-std::uint64_t peak_memory_bytes() {
-  rusage usage = {};
-  if (::getrusage(RUSAGE_SELF, &usage) != 0) return 0;
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
 void say_effort(const Talk& talk, double seconds) {

@@ -63,9 +63,6 @@ std::string polish_text(const PolishResult& polish);
 /// {"path", "vertices", "faces", "diagonal", "repairs"}
 Json input_json(const Scene& input, double diagonal);
 
-/// Peak memory of the program so far.
-std::uint64_t peak_memory_bytes();
-
 /// If verbose, prints the run's time and peak memory.
 void say_effort(const Talk& talk, double seconds);
 

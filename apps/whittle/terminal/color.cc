@@ -1,9 +1,8 @@
 #include "terminal/color.hh"
 
-#include <unistd.h>
-
 #include <cstdlib>
-#include <string_view>
+
+#include "system/system.hh"
 
 namespace whittle::app {
 namespace {
@@ -23,12 +22,6 @@ bool is_without_color() {
 bool is_colored(ColorMode mode) {
   if (mode == ColorMode::automatic) return is_at_terminal() && !is_without_color();
   return mode == ColorMode::always;
-}
-
-bool is_at_terminal() {
-  if (::isatty(STDERR_FILENO) == 0) return false;
-  const char* terminal = std::getenv("TERM");
-  return terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
 std::string in_color(Color color, const std::string& text) {

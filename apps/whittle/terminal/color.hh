@@ -14,9 +14,6 @@ enum class ColorMode {
 /// Whether standard error is in colour.
 bool is_colored(ColorMode mode);
 
-/// Whether standard error is a terminal that isn't dumb (`TERM`).
-bool is_at_terminal();
-
 enum class Color { red = 31, green = 32, yellow = 33 };
 
 /// `text` in that colour, bold or not, on a terminal.

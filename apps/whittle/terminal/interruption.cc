@@ -1,11 +1,8 @@
 #include "terminal/interruption.hh"
 
-#include <unistd.h>
-
 #include <atomic>
-#include <csignal>
-#include <string_view>
 
+#include "system/system.hh"
 #include "terminal/errors.hh"
 
 namespace whittle::app {
@@ -20,28 +17,12 @@ static_assert(std::atomic<int>::is_always_lock_free);
 void on_signal(int signal) {
   pending_signal = signal;
   if (n_waiting > 0) return;
-  constexpr std::string_view message = interrupted_message;
-  // The program ends even if the message can't be written.
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, message.data(), message.size());
-  ::_exit(128 + signal);
+  end_at_once(interrupted_message, 128 + signal);
 }
 
 }  // namespace
 
-void handle_signals() {
-  struct sigaction action = {};
-  action.sa_handler = on_signal;
-  sigemptyset(&action.sa_mask);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction inherited = {};
-    // A signal that the caller ignores (nohup, a background job of a script) stays ignored.
-    if (sigaction(signal, nullptr, &inherited) == 0 && inherited.sa_handler == SIG_IGN) continue;
-    sigaction(signal, &action, nullptr);
-  }
-  // Writing then fails with a message, and temporary files go.
-  ::signal(SIGPIPE, SIG_IGN);
-  ::signal(SIGXFSZ, SIG_IGN);
-}
+void handle_signals() { watch_signals(on_signal); }
 
 SignalsWait::SignalsWait() { ++n_waiting; }
 

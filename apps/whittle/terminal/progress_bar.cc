@@ -1,14 +1,12 @@
 #include "terminal/progress_bar.hh"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <string_view>
 #include <utility>
 
+#include "system/system.hh"
 #include "terminal/interruption.hh"
 
 namespace whittle::app {
@@ -16,12 +14,6 @@ namespace {
 
 constexpr std::size_t bar_width = 30;
 constexpr auto redraw_interval = std::chrono::milliseconds(100);
-
-std::size_t terminal_width() {
-  winsize size = {};
-  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
-  return size.ws_col;
-}
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 #include "terminal/talk.hh"
+#include "system/system.hh"
 
 #include <iostream>
 #include <string>

@@ -2,6 +2,7 @@
 
 #include "commands/simplify/proven_distances.hh"
 #include "options/targets.hh"
+#include "system/system.hh"
 
 namespace whittle::app {
 namespace {
