@@ -4,14 +4,16 @@
 #
 #   bash tests/cross/run.sh aarch64 [OPTION OF ctest...]   64-bit ARM, in QEMU
 #   bash tests/cross/run.sh windows [OPTION OF ctest...]   64-bit Windows, in Wine
+#   bash tests/cross/run.sh windows-program                the program for 64-bit Windows, in Wine (windows_program.sh)
 #   bash tests/cross/run.sh x86                            GCC and Clang, with and without optimisation, vectors and AVX2
 #
-# The module whittle::openmesh and the program are left out. All is built in build/cross-MACHINE.
+# The module whittle::openmesh and the program are left out but for `windows-program`. All is built in
+# build/cross-MACHINE.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source apps/packages.sh
 
-usage() { fail "usage: bash tests/cross/run.sh aarch64|windows|x86 [OPTION OF ctest...]"; }
+usage() { fail "usage: bash tests/cross/run.sh aarch64|windows|windows-program|x86 [OPTION OF ctest...]"; }
 
 machine=${1:-}
 [ -n "$machine" ] || usage
@@ -46,7 +48,7 @@ gather_zlib() {
       dpkg -x "$build"/apt/zlib1g-dev*.deb "$build/zlib"
       from=$build/zlib/usr
       ;;
-    windows) from=/usr/x86_64-w64-mingw32 ;;
+    windows | windows-program) from=/usr/x86_64-w64-mingw32 ;;
   esac
   find "$from" \( -name zlib.h -o -name zconf.h \) -exec install -D --mode=644 -t "$libraries/usr/include" {} +
   find "$from" -name libz.a -exec install -D --mode=644 -t "$libraries/usr/lib" {} +
@@ -55,6 +57,41 @@ gather_zlib() {
 gather_libraries() {
   gather_headers
   gather_zlib
+}
+
+# OpenMesh for Windows, of Debian's sources, which it makes an archive of there.
+build_openmesh() {
+  local sources=$build/sources
+  mkdir -p "$sources/lists/partial"
+  printf 'deb-src [signed-by=%s] %s bookworm main\n' /usr/share/keyrings/debian-archive-keyring.gpg \
+    "${DEBIAN_MIRROR:-http://deb.debian.org/debian}" >"$sources/sources.list"
+  set -- -o Dir::Etc::SourceList="$sources/sources.list" -o Dir::Etc::SourceParts=- -o Dir::State::Lists="$sources/lists" \
+    -o APT::Sandbox::User=root -o Debug::NoLocking=1
+  apt-get "$@" update
+  (cd "$sources" && apt-get "$@" source openmesh)
+  cmake -G Ninja -S "$sources"/openmesh-*/ -B "$sources/build" --toolchain "$PWD/tests/cross/windows.cmake" \
+    -DWHITTLE_CROSS_LIBRARIES="$libraries" -DCMAKE_BUILD_TYPE=Release -DBUILD_APPS=OFF -DCMAKE_INSTALL_PREFIX="$libraries/usr"
+  cmake --build "$sources/build" --target install
+  touch "$build/openmesh.done"
+}
+
+# Of the libraries that are optional none is there, so the program has no reports, pictures or compressed glTF.
+configure_windows_program() {
+  cmake -G Ninja -S . -B "$build" --toolchain "$PWD/tests/cross/windows.cmake" -DCMAKE_BUILD_TYPE=Release \
+    -DWHITTLE_CROSS_LIBRARIES="$libraries" -DWHITTLE_WARNINGS_AS_ERRORS=ON -DWHITTLE_BUILD_REPORT=OFF \
+    -DWHITTLE_BUILD_RENDER=OFF -DWHITTLE_BUILD_TESTS=OFF -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=24
+}
+
+test_windows_program() {
+  say "Building the program for Windows, and for this machine"
+  quietly "$build/libraries.log" gather_libraries
+  [ -e "$build/openmesh.done" ] || quietly "$build/openmesh.log" build_openmesh
+  quietly "$build/configure.log" configure_windows_program
+  quietly "$build/build.log" cmake --build "$build" --target whittle
+  quietly "$build/configure-native.log" cmake --preset demo
+  quietly "$build/build-native.log" cmake --build --preset demo
+  say "Running it in Wine"
+  bash tests/cross/windows_program.sh "$build/bin/whittle.exe" build/demo/bin/whittle "$build/runs"
 }
 
 configure_other_machine() {
@@ -129,6 +166,14 @@ case $machine in
     export WINEPREFIX=$build/wine WINEDEBUG=-all
     start_wine
     test_other_machine "$@"
+    ;;
+  windows-program)
+    header_packages+=(libcli11-dev nlohmann-json3-dev)
+    install_packages "$build/packages.log" "${program_packages[@]}" g++-mingw-w64-x86-64-posix libz-mingw-w64-dev wine wine64 \
+      dpkg-dev
+    export WINEPREFIX=$build/wine WINEDEBUG=-all
+    start_wine
+    test_windows_program
     ;;
   x86)
     install_packages "$build/packages.log" "${own_packages[@]}" g++-12 clang-14 g++-11 qemu-user libgtest-dev libgmock-dev
