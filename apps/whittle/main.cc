@@ -57,8 +57,8 @@ std::string no_subcommand(const CLI::App& app, int argc, char** argv) {
 /// `help`, `help simplify` as `--help`, `simplify --help`. A word that is no subcommand is left, to be refused.
 std::vector<char*> without_help_word(const CLI::App& app, std::vector<std::string>& words) {
   static char help[] = "--help";
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
+  std::vector<char*> arguments(words.size());
+  std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
   if (words.size() < 2 || words[1] != "help") return arguments;
   arguments.erase(arguments.begin() + 1);
   const std::vector<std::string> names = subcommand_names(app);
