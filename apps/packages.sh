@@ -57,3 +57,6 @@ install_packages() {
   quietly "$log" as_root apt-get update
   quietly "$log" as_root apt-get install --yes --no-install-recommends "${missing[@]}"
 }
+
+# install_npm LOG: whatever npm is there is taken, as Debian's conflicts with the one that comes with a newer Node.js.
+install_npm() { command -v npm >/dev/null || install_packages "$1" npm ca-certificates; }

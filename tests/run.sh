@@ -14,18 +14,24 @@ case $mode in whole | quick) ;; *) fail "usage: bash tests/run.sh [quick]" ;; es
 logs=build/run
 jobs=$(nproc)
 
-# With ccache, what was compiled before, in this folder or another, is not compiled again. What the compiler is told beside
-# is what precompiled headers take then.
+# With ccache, what was compiled before, in this folder or another, is not compiled again. Each compiler has to be told
+# something for its precompiled headers, then.
 cached=()
-for_gcc="${CXXFLAGS:-}" for_clang="${CXXFLAGS:-}"
+for_gcc=
+for_clang=
 if command -v ccache >/dev/null; then
   cached=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-  for_gcc+=" -fpch-preprocess"
-  for_clang+=" -Xclang -fno-pch-timestamp"
+  for_gcc=-fpch-preprocess
+  for_clang="-Xclang -fno-pch-timestamp"
   export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
 fi
 
-configure() { CXXFLAGS=$for_gcc quietly "$logs/configure-$1.log" cmake --preset "$1" "${cached[@]}" "${@:2}"; }
+# configure_by FLAGS BUILD PRESET [OPTION...]: build/BUILD.
+configure_by() {
+  CXXFLAGS="${CXXFLAGS:-} $1" quietly "$logs/configure-$2.log" cmake --preset "$3" -B "build/$2" "${cached[@]}" "${@:4}"
+}
+configure_release() { configure_by "$for_gcc" release release -DWHITTLE_UNITY_TESTS=ON; }
+configure_clang() { configure_by "$for_clang" "$@" -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_UNITY_BUILD=ON; }
 build() { quietly "$logs/build-$1.log" cmake --build "build/$1" --parallel "$jobs"; }
 
 check_format() {
@@ -58,7 +64,7 @@ run_quick() {
   targets=("${targets[@]/#unit/tests/unit}")
   targets=("${targets[@]/#cli/tests/cli}")
   step "GCC: building the tests of ${folders[*]}"
-  configure release -DWHITTLE_UNITY_TESTS=ON
+  configure_release
   quietly "$logs/build-quick.log" cmake --build build/release --parallel "$jobs" --target "${targets[@]}"
   for folder in structure "${folders[@]}"; do
     step "Running the tests of tests/$folder but the slow ones"
@@ -71,12 +77,12 @@ run_quick() {
 started=$SECONDS
 step() { say "[$(((SECONDS - started) / 60)) min] $*"; }
 
-packages=("${build_packages[@]}")
+packages=("${build_packages[@]}" git)
 if [ "$mode" = whole ]; then
-  packages+=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen cmark-gfm groff-base pkg-config git chromium)
+  packages+=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen cmark-gfm groff-base pkg-config chromium)
 fi
 install_packages "$logs/packages.log" "${packages[@]}"
-command -v npm >/dev/null || install_packages "$logs/packages.log" nodejs npm
+install_npm "$logs/npm-packages.log"
 
 if [ "$mode" = quick ]; then
   run_quick
@@ -93,21 +99,19 @@ quietly "$logs/format.log" check_format
 
 # The modules and the program as users build them.
 step "GCC: building everything optimised, warnings are errors"
-configure release -DWHITTLE_UNITY_TESTS=ON
+configure_release
 build release
 
 step "Doxygen: the site of pages and reference, warnings are errors"
 quietly "$logs/docs.log" cmake --build --preset docs
 
 step "clang-tidy on the modules and the program, Clang's own warnings among its checks"
-quietly "$logs/configure-tidy.log" cmake --preset dev -B build/tidy -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
-  -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DWHITTLE_BUILD_TESTS=OFF
+configure_clang tidy dev -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DWHITTLE_BUILD_TESTS=OFF
 quietly "$logs/tidy.log" check_tidy
 
 # Without the program: it takes long to build and has few pointers.
 step "Clang: building the libraries and their tests with asserts and sanitizers (address, undefined behaviour)"
-CXXFLAGS=$for_clang quietly "$logs/configure-clang.log" cmake --preset asan "${cached[@]}" -B build/clang -DCMAKE_CXX_COMPILER=clang++-14 -DWHITTLE_WARNINGS_AS_ERRORS=ON -DWHITTLE_BUILD_APPS=OFF -DCMAKE_UNITY_BUILD=ON \
-  -DCMAKE_UNITY_BUILD_BATCH_SIZE=24
+configure_clang clang asan -DWHITTLE_WARNINGS_AS_ERRORS=ON -DWHITTLE_BUILD_APPS=OFF
 build clang
 step "Clang: running the tests"
 quietly "$logs/test-clang.log" ctest --test-dir build/clang --output-on-failure --parallel "$jobs" --label-exclude slow

@@ -11,7 +11,7 @@ source apps/packages.sh
 mkdir -p "${1:-build/packages}"
 build=$(cd "${1:-build/packages}" && pwd)
 install_packages "$build/packages.log" "${build_packages[@]}" dpkg-dev file
-command -v npm >/dev/null || install_packages "$build/packages.log" npm ca-certificates
+install_npm "$build/npm-packages.log"
 
 say "Building (a few minutes the first time)"
 quietly "$build/configure.log" cmake --preset release -B "$build" -DWHITTLE_BUILD_TESTS=OFF -DCMAKE_INSTALL_PREFIX=/usr

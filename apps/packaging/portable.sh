@@ -10,10 +10,10 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 cd "$here/../.."
 source apps/packages.sh
+source apps/debian_sources.sh
 
 # That of the newest math functions. README.md says it, too.
 newest_glibc=2.29
-mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
 mkdir -p "${1:-build/portable}"
 build=$(cd "${1:-build/portable}" && pwd)
 sources=$build/sources
@@ -21,21 +21,10 @@ archives=$build/archives
 old=$build/debian11
 jobs=$(nproc)
 
-# apt_apart COMMAND...: with lists of its own, so that those of the system stay as they are.
-apt_apart() {
-  apt-get -o Dir::Etc::SourceList="$sources/sources.list" -o Dir::Etc::SourceParts=- \
-    -o Dir::State::Lists="$sources/lists" -o APT::Sandbox::User="$(id -un)" -o Debug::NoLocking=1 "$@"
-}
-
 get_sources() {
-  local keys=/usr/share/keyrings/debian-archive-keyring.gpg
-  mkdir -p "$sources/lists/partial"
-  printf '%s\n' "deb-src [signed-by=$keys] $mirror bookworm main" "deb [signed-by=$keys] $mirror bullseye main" \
-    >"$sources/sources.list"
-  cd "$sources"
-  apt_apart update
-  apt_apart source openmesh meshoptimizer
-  apt_apart download libc6/bullseye libc6-dev/bullseye libgcc-s1/bullseye
+  open_lists "$sources" "deb-src bookworm" "deb bullseye" &&
+    apt_apart "$sources" source openmesh meshoptimizer &&
+    apt_apart "$sources" download libc6/bullseye libc6-dev/bullseye libgcc-s1/bullseye
 }
 
 # The folder with Debian 11's glibc. Absolute links would lead out of it.
@@ -72,13 +61,13 @@ copy_licences() {
   done
 }
 
-install_packages "$build/packages.log" "${build_packages[@]}" dpkg-dev libwebp-dev
-command -v npm >/dev/null || install_packages "$build/packages.log" npm ca-certificates
+install_packages "$build/packages.log" "${build_packages[@]}" dpkg-dev
+install_npm "$build/npm-packages.log"
 
 if [ ! -e "$build/archives.done" ]; then
   say "Getting the sources of OpenMesh and meshoptimizer, and Debian 11's glibc"
   rm -rf "$sources" "$archives" "$old"
-  (quietly "$build/sources.log" get_sources)
+  quietly "$build/sources.log" get_sources
   quietly "$build/glibc.log" unpack_glibc
   say "Building archives of OpenMesh and meshoptimizer"
   openmesh_with_archives

@@ -142,9 +142,7 @@ measure_max_error() {
 # gltfpack comes as an npm package (1 MB).
 get_gltfpack() {
   [ ! -x "$work/npm/node_modules/.bin/gltfpack" ] || return 0
-  if ! command -v npm >/dev/null; then
-    (install_packages "$logs/npm-packages.log" npm ca-certificates) || return 1
-  fi
+  (install_npm "$logs/npm-packages.log") || return 1
   npm install --prefix "$work/npm" --fetch-retries=1 gltfpack@1.3.0 </dev/null >"$logs/npm.log" 2>&1
 }
 

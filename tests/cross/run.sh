@@ -12,6 +12,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source apps/packages.sh
+source apps/debian_sources.sh
 
 usage() { fail "usage: bash tests/cross/run.sh aarch64|windows|windows-program|x86 [OPTION OF ctest...]"; }
 
@@ -31,20 +32,14 @@ gather_headers() {
     done
 }
 
-# apt_of_arm WORD...: apt-get for packages of aarch64, with lists of its own, so that this system stays as it is.
-apt_of_arm() {
-  mkdir -p "$build/apt/lists/partial" "$build/apt/archives/partial"
-  (cd "$build/apt" && apt-get -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o Dir::State::Lists="$PWD/lists" \
-    -o Dir::Cache="$PWD" -o APT::Sandbox::User=root "$@")
-}
-
 # zlib, the one library that isn't: Debian's package for that machine.
 gather_zlib() {
   local from
   case $machine in
     aarch64)
-      apt_of_arm update
-      apt_of_arm download zlib1g-dev
+      apt_options=(-o APT::Architecture=arm64 -o APT::Architectures=arm64)
+      open_lists "$build/apt" "deb bookworm"
+      apt_apart "$build/apt" download zlib1g-dev
       dpkg -x "$build"/apt/zlib1g-dev*.deb "$build/zlib"
       from=$build/zlib/usr
       ;;
@@ -62,24 +57,20 @@ gather_libraries() {
 # OpenMesh for Windows, of Debian's sources, which it makes an archive of there.
 build_openmesh() {
   local sources=$build/sources
-  mkdir -p "$sources/lists/partial"
-  printf 'deb-src [signed-by=%s] %s bookworm main\n' /usr/share/keyrings/debian-archive-keyring.gpg \
-    "${DEBIAN_MIRROR:-http://deb.debian.org/debian}" >"$sources/sources.list"
-  set -- -o Dir::Etc::SourceList="$sources/sources.list" -o Dir::Etc::SourceParts=- -o Dir::State::Lists="$sources/lists" \
-    -o APT::Sandbox::User=root -o Debug::NoLocking=1
-  apt-get "$@" update
-  (cd "$sources" && apt-get "$@" source openmesh)
-  cmake -G Ninja -S "$sources"/openmesh-*/ -B "$sources/build" --toolchain "$PWD/tests/cross/windows.cmake" \
-    -DWHITTLE_CROSS_LIBRARIES="$libraries" -DCMAKE_BUILD_TYPE=Release -DBUILD_APPS=OFF -DCMAKE_INSTALL_PREFIX="$libraries/usr"
-  cmake --build "$sources/build" --target install
-  touch "$build/openmesh.done"
+  open_lists "$sources" "deb-src bookworm" &&
+    apt_apart "$sources" source openmesh &&
+    cmake -G Ninja -S "$sources"/openmesh-*/ -B "$sources/build" --toolchain "$PWD/tests/cross/windows.cmake" \
+      -DWHITTLE_CROSS_LIBRARIES="$libraries" -DCMAKE_BUILD_TYPE=Release -DBUILD_APPS=OFF \
+      -DCMAKE_INSTALL_PREFIX="$libraries/usr" &&
+    cmake --build "$sources/build" --target install &&
+    touch "$build/openmesh.done"
 }
 
 # Of the libraries that are optional none is there, so the program has no reports, pictures or compressed glTF.
 configure_windows_program() {
   cmake -G Ninja -S . -B "$build" --toolchain "$PWD/tests/cross/windows.cmake" -DCMAKE_BUILD_TYPE=Release \
     -DWHITTLE_CROSS_LIBRARIES="$libraries" -DWHITTLE_WARNINGS_AS_ERRORS=ON -DWHITTLE_BUILD_REPORT=OFF \
-    -DWHITTLE_BUILD_RENDER=OFF -DWHITTLE_BUILD_TESTS=OFF -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=24
+    -DWHITTLE_BUILD_RENDER=OFF -DWHITTLE_BUILD_TESTS=OFF -DCMAKE_UNITY_BUILD=ON
 }
 
 test_windows_program() {

@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154 # who sources it sets them
 # Sourced by debian.sh and portable.sh: fresh root folders of Debian, and the README's examples in them. They set `work`, a
-# folder for the roots and logs, and `root`, the root that is used. DEBIAN_MIRROR names another mirror.
+# folder for the roots and logs, and `root`, the root that is used.
 source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 source "$source_folder/apps/packages.sh"
 
@@ -24,8 +24,7 @@ fresh_root() {
   if [ ! -e "$base.done" ]; then
     say "Getting Debian's $1"
     rm -rf "$base"
-    quietly "$work/debootstrap.log" debootstrap --variant=minbase "$1" "$base" \
-      "${DEBIAN_MIRROR:-http://deb.debian.org/debian}"
+    quietly "$work/debootstrap.log" debootstrap --variant=minbase "$1" "$base"
     touch "$base.done"
   fi
   rm -rf "$root"
