@@ -58,13 +58,18 @@ function normal(page, link, parts, n, i, kept, path) {
 
 function exists(path, status) { return system("test -e '" source "/" path "'") == 0 }
 
-function plain(html) {
-  gsub(/<[^>]*>/, "", html)
+function unescaped(html) {
   gsub(/&lt;/, "<", html)
   gsub(/&gt;/, ">", html)
   gsub(/&quot;/, "\"", html)
   gsub(/&amp;/, "\\&", html)
   return html
+}
+
+# The text of HTML.
+function plain(html) {
+  gsub(/<[^>]*>/, "", html)
+  return unescaped(html)
 }
 
 function escaped(text) {
@@ -199,7 +204,7 @@ function body(page, line, html, level, name, command) {
         sub(/<\/code><\/pre>.*/, "```\n\n\\htmlonly[block]", line)
         in_code = 0
       }
-      html = html plain_code(line) "\n"
+      html = html unescaped(line) "\n"
       continue
     }
     gsub(/<table>/, "<div class=\"scroll\"><table>", line)
@@ -216,14 +221,6 @@ function body(page, line, html, level, name, command) {
   end_section()
   if (contents ~ /·.*·/ && page != first) html = "<p class=\"toc\">On this page: " contents "</p>\n" html
   return html
-}
-
-function plain_code(line) {
-  gsub(/&lt;/, "<", line)
-  gsub(/&gt;/, ">", line)
-  gsub(/&quot;/, "\"", line)
-  gsub(/&amp;/, "\\&", line)
-  return line
 }
 
 BEGIN {

@@ -4,13 +4,8 @@
 set -euo pipefail
 whittle=$1 data=$2 node_modules=$3 folder=$4 script=$5
 
-skip() {
-  echo "skipped: $*"
-  exit 77
-}
-command -v node >/dev/null || skip "Node.js is not installed"
-[ -d "$node_modules/playwright-core" ] || skip "npm's package playwright-core is not in $node_modules"
-chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || skip "Chromium is not installed"
+source "$(dirname "$0")/chromium.sh"
+need_chromium "$node_modules"
 
 rm -rf "$folder"
 mkdir -p "$folder"

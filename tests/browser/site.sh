@@ -3,12 +3,7 @@
 set -euo pipefail
 site=$1 node_modules=$2
 
-skip() {
-  echo "skipped: $*"
-  exit 77
-}
+source "$(dirname "$0")/chromium.sh"
 [ -f "$site/index.html" ] || skip "there is no $site/index.html; build the target docs"
-command -v node >/dev/null || skip "Node.js is not installed"
-[ -d "$node_modules/playwright-core" ] || skip "npm's package playwright-core is not in $node_modules"
-chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || skip "Chromium is not installed"
+need_chromium "$node_modules"
 node "$(dirname "$0")/site.cjs" "$node_modules" "$chromium" "$site"
