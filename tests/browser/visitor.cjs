@@ -46,14 +46,16 @@ class Visitor {
     return this.page.evaluate((at) => window.whittle.player.goTo(at), place);
   }
 
-  /** Brings the player into a state. \param direction −1, 0 or 1 */
-  reach(place, direction, speed = 1) {
-    return this.page.evaluate(([at, way, fast]) => {
+  /** Brings the player into a state. If it plays, it has left the end where it began. \param direction −1, 0 or 1 */
+  async reach(place, direction, speed = 1) {
+    const begin = await this.page.evaluate(([at, way, fast]) => {
       const {player} = window.whittle;
       player.setSpeed(fast);
       window.whittle.showPlace(at);
       if (way !== 0) window.whittle.play(way);
+      return player.place;
     }, [place, direction, speed]);
+    if (direction !== 0) await this.wait(([at]) => window.whittle.player.place !== at, [begin], 'it plays');
   }
 
   /** The names of the controls that can be used now: their id, or their tag. */
