@@ -1,5 +1,5 @@
 // What has to change when a control of the page is used, by its name: its id, or its tag. `before` and `after` are what
-// `look` in controls.cjs sees. `about` says what is true of the page: `isFlat`, all is in one plane; `isAlike`, the
+// `look` in visitor.cjs sees. `about` says what is true of the page: `isFlat`, all is in one plane; `isAlike`, the
 // result looks like the original.
 'use strict';
 const assert = require('assert/strict');
@@ -9,8 +9,8 @@ const changes = (key) => (before, after) => differ(before, after, key);
 const picture = changes('picture');
 const stays = (before, after, key) => assert.equal(after[key], before[key], `${key} changes`);
 
-/** Whether the levels around a place may all look like the first or the last. */
-const isNearAnEnd = ({place}) => place < 0.05 || place > 0.95;
+/** Whether the player is less than a level from the first or the last: there, all spacings may show the same one. */
+const isNearAnEnd = ({place, nLevels}) => Math.min(place, 1 - place) * nLevels < 1;
 
 /** Lists: after another option was chosen. */
 const lists = {
@@ -28,7 +28,7 @@ const lists = {
   colour: (before, after) => assert.ok(after.picture !== before.picture || after.legend !== before.legend, 'nothing changes'),
   top: (before, after, {isFlat}) => isFlat || differ(before, after, 'legend'),
   up: (before, after, {isFlat}) => isFlat || differ(before, after, 'picture'), // a square can look the same
-  movement: (before, after, {isFlat}) => isFlat || isNearAnEnd(before) || differ(before, after, 'picture'),
+  movement: (before, after, {isFlat}) => isFlat || before.place === 0 || before.place === 1 || differ(before, after, 'picture'),
   spacing: (before, after) => isNearAnEnd(before) || differ(before, after, 'level'),
 };
 

@@ -23,7 +23,7 @@ class Visitor {
         picture, labels, legend: text('legend'), reasons: text('reasons'), status: text('status'), level: text('level'), speed: text('speed'),
         play: text('play'), back: text('back'), place: $('slider').value / 1000, focus: document.activeElement.id,
         direction: Number(text('play') === 'Pause') - Number(text('back') === 'Pause'), isOpen: document.querySelector('details').open,
-        isRecordingShown: labels.includes('level of the run'),
+        isRecordingShown: labels.includes('level of the run'), nLevels: window.whittle.recording?.nSteps,
       };
     });
   }

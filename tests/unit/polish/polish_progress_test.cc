@@ -82,7 +82,7 @@ class CancelAt {
   std::string current_;
 };
 
-/// After cancelling at any report, the mesh is the result of the passes completed before.
+/// Wherever it is cancelled, the mesh is the result of the passes completed before.
 TEST(PolishProgress, LeavesWhatTheLastPassMadeWhenCancelled) {
   const Case c;
   std::vector<Case::Polished> expected;
