@@ -4,12 +4,6 @@
 
 namespace whittle::test {
 
-bool has(const Triangle& face, Index v) { return std::ranges::find(face, v) != face.end(); }
-
-std::size_t corner_of(const Triangle& face, Index v) {
-  return static_cast<std::size_t>(std::ranges::find(face, v) - face.begin());
-}
-
 std::map<Edge, int> count_edge_faces(std::span<const Triangle> faces) {
   std::map<Edge, int> counts;
   for (const Triangle& f : faces) {

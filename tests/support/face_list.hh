@@ -16,9 +16,10 @@ using Edge = std::pair<Index, Index>;
 
 inline Edge edge(Index a, Index b) { return std::minmax(a, b); }
 
-bool has(const Triangle& face, Index v);
+inline bool has(const Triangle& face, Index v) { return face[0] == v || face[1] == v || face[2] == v; }
+
 /// \pre the face has that corner
-std::size_t corner_of(const Triangle& face, Index v);
+inline std::size_t corner_of(const Triangle& face, Index v) { return face[0] == v ? 0 : face[1] == v ? 1 : 2; }
 
 std::map<Edge, int> count_edge_faces(std::span<const Triangle> faces);
 

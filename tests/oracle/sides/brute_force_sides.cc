@@ -1,6 +1,7 @@
 #include "oracle/sides/brute_force_sides.hh"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
@@ -31,7 +32,7 @@ std::vector<std::optional<std::size_t>> other_sides(const std::vector<Triangle>&
   return others;
 }
 
-std::vector<Edge> edges_of(const Triangle& f) { return {edge(f[0], f[1]), edge(f[1], f[2]), edge(f[2], f[0])}; }
+std::array<Edge, 3> edges_of(const Triangle& f) { return {edge(f[0], f[1]), edge(f[1], f[2]), edge(f[2], f[0])}; }
 
 /// The faces of the set of pairs that a face belongs to: those that can be reached over edges of pairs.
 std::vector<std::size_t> set_of(std::size_t start, const std::vector<Triangle>& faces,
@@ -40,7 +41,7 @@ std::vector<std::size_t> set_of(std::size_t start, const std::vector<Triangle>& 
   for (std::size_t i = 0; i < reached.size(); ++i) {
     for (std::size_t g = 0; g < faces.size(); ++g) {
       if (!others[g] || std::ranges::find(reached, g) != reached.end()) continue;
-      const std::vector<Edge> edges = edges_of(faces[reached[i]]);
+      const std::array<Edge, 3> edges = edges_of(faces[reached[i]]);
       const bool is_next = std::ranges::any_of(
           edges_of(faces[g]), [&](const Edge& e) { return std::ranges::find(edges, e) != edges.end(); });
       if (is_next) reached.push_back(g);
@@ -98,8 +99,15 @@ OneSided brute_force_without_backs(const IndexedMesh& mesh) {
   OneSided result{mesh, std::vector<int>(mesh.faces.size(), 1)};
   std::vector<std::optional<std::size_t>> others = other_sides(mesh.faces);
   std::vector<bool> is_in_sheet(mesh.faces.size());
+  std::vector<bool> is_known(mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    is_in_sheet[f] = others[f] && is_sheet(set_of(f, mesh.faces, others), mesh.faces, others);
+    if (!others[f] || is_known[f]) continue;
+    const std::vector<std::size_t> set = set_of(f, mesh.faces, others);
+    const bool is_one = is_sheet(set, mesh.faces, others);
+    for (const std::size_t member : set) {
+      is_known[member] = true;
+      is_in_sheet[member] = is_one;
+    }
   }
   if (std::ranges::find(is_in_sheet, true) == is_in_sheet.end()) return result;
   result = {};

@@ -7,41 +7,11 @@
 #include <vector>
 
 #include "assets.hh"
+#include "mesh_comparison.hh"
 #include "whittle/gltf/asset.hh"
 
 namespace whittle::gltf::test {
 namespace {
-
-double extent(const IndexedMesh& mesh) {
-  Vec3 low = mesh.positions.front();
-  Vec3 high = low;
-  for (const Vec3& position : mesh.positions) {
-    low = low.cwiseMin(position);
-    high = high.cwiseMax(position);
-  }
-  return (high - low).maxCoeff();
-}
-
-/// Of all faces: tells whether two meshes have the same ones, in any order.
-Vec3 mean_corner(const IndexedMesh& mesh) {
-  Vec3 sum = Vec3::Zero();
-  for (const Triangle& face : mesh.faces) {
-    for (const Index v : face) sum += mesh.positions[v];
-  }
-  return sum / static_cast<double>(3 * mesh.faces.size());
-}
-
-/// Likewise of an attribute.
-std::vector<double> mean_value(const IndexedMesh& mesh, const Attribute& attribute) {
-  std::vector<double> sum(attribute.n_components);
-  for (const Triangle& face : mesh.faces) {
-    for (const Index v : face) {
-      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += attribute.value(v)[k];
-    }
-  }
-  for (double& x : sum) x /= static_cast<double>(3 * mesh.faces.size());
-  return sum;
-}
 
 void expect_close(const IndexedMesh& a, const IndexedMesh& b) {
   ASSERT_EQ(a.faces.size(), b.faces.size());
@@ -97,16 +67,8 @@ TEST(GltfCompress, PositionsAreWithinAStep) {
   const double step = extent(mesh) / 65536;
   // Corner by corner, in the order of the primitives' faces, which changes: sorted along x.
   for (int axis = 0; axis < 3; ++axis) {
-    const auto sorted = [&](const IndexedMesh& of) {
-      std::vector<double> values;
-      for (const Triangle& face : of.faces) {
-        for (const Index v : face) values.push_back(of.positions[v][axis]);
-      }
-      std::sort(values.begin(), values.end());
-      return values;
-    };
-    const std::vector<double> a = sorted(mesh);
-    const std::vector<double> b = sorted(again);
+    const std::vector<double> a = corners_along(axis, mesh);
+    const std::vector<double> b = corners_along(axis, again);
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], step);
   }

@@ -13,6 +13,7 @@
 #include "decimated.hh"
 #include "original/closest_point_finder.hh"
 #include "original/closest_point_sums.hh"
+#include "support/brute_distance.hh"
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
@@ -42,35 +43,15 @@ Vec3 normal_of(const IndexedMesh& mesh, const Triangle& face) {
   return (mesh.positions[face[1]] - p).cross(mesh.positions[face[2]] - p);
 }
 
-/// Distance of a point from a triangle: the least over its inside and its edges.
-double triangle_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto to_edge = [&p](const Vec3& from, const Vec3& to) {
-    const double t = std::clamp((p - from).dot(to - from) / (to - from).squaredNorm(), 0.0, 1.0);
-    return (p - (from + t * (to - from))).norm();
-  };
-  const double to_edges = std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
-  const Vec3 normal = (b - a).cross(c - a).normalized();
-  const Vec3 closest = p - normal.dot(p - a) * normal;
-  const bool is_inside = normal.dot((b - a).cross(closest - a)) >= 0 && normal.dot((c - b).cross(closest - b)) >= 0 &&
-                         normal.dot((a - c).cross(closest - c)) >= 0;
-  return is_inside ? std::abs(normal.dot(p - a)) : to_edges;
-}
-
-struct BruteClosestPoint {
-  Index face = invalid_index;
-  double distance = std::numeric_limits<double>::infinity();
-};
-
-/// The nearest of all faces whose normals agree with the given one.
-BruteClosestPoint nearest_of_all(const IndexedMesh& mesh, const Vec3& position, const Vec3& unit_normal) {
-  BruteClosestPoint nearest;
+/// The distance of the nearest of all faces whose normals agree with the given one. Infinite without any.
+double distance_to_agreeing(const IndexedMesh& mesh, const Vec3& position, const Vec3& unit_normal) {
+  double least = std::numeric_limits<double>::infinity();
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    const auto& [a, b, c] = mesh.faces[f];
-    if (!(normal_of(mesh, mesh.faces[f]).normalized().dot(unit_normal) > 0.5)) continue;
-    const double d = triangle_distance(position, mesh.positions[a], mesh.positions[b], mesh.positions[c]);
-    if (d < nearest.distance) nearest = {f, d};
+    const double distance = distance_to_triangle(corners_of(mesh, f), position);
+    if (!(distance < least)) continue;
+    if (normal_of(mesh, mesh.faces[f]).normalized().dot(unit_normal) > 0.5) least = distance;
   }
-  return nearest;
+  return least;
 }
 
 Vec3 position_of(const IndexedMesh& mesh, const ClosestFacePoint& closest) {
@@ -79,14 +60,14 @@ Vec3 position_of(const IndexedMesh& mesh, const ClosestFacePoint& closest) {
          double{closest.third} * mesh.positions[c];
 }
 
-/// The nearest of the faces at a vertex that contain the closest point and whose normals agree. `slack` widens or
-/// narrows the test.
-BruteClosestPoint nearest_at(const IndexedMesh& mesh, Index v, const ClosestPointFinder::Point& point, double slack) {
-  BruteClosestPoint nearest;
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    const auto& [a, b, c] = mesh.faces[f];
+/// The distance of the nearest of the faces at a vertex that contain the closest point and whose normals agree. `slack`
+/// widens or narrows the test. Infinite without any.
+double distance_at(const IndexedMesh& mesh, Index v, const ClosestPointFinder::Point& point, double slack) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Triangle& face : mesh.faces) {
+    const auto& [a, b, c] = face;
     if (a != v && b != v && c != v) continue;
-    const Vec3 normal = normal_of(mesh, mesh.faces[f]);
+    const Vec3 normal = normal_of(mesh, face);
     const double cosine = normal.normalized().dot(point.normal.cast<double>().normalized());
     const Vec3 to = point.position - mesh.positions[a];
     const Vec3 ab = mesh.positions[b] - mesh.positions[a];
@@ -94,10 +75,10 @@ BruteClosestPoint nearest_at(const IndexedMesh& mesh, Index v, const ClosestPoin
     const double second = normal.dot(to.cross(ac)) / normal.squaredNorm();
     const double third = normal.dot(ab.cross(to)) / normal.squaredNorm();
     const double distance = std::abs(normal.normalized().dot(to));
-    if (std::min({second, third, 1 - second - third}) > -slack && cosine > 0.5 - slack && distance < nearest.distance)
-      nearest = {f, distance};
+    if (std::min({second, third, 1 - second - third}) > -slack && cosine > 0.5 - slack)
+      least = std::min(least, distance);
   }
-  return nearest;
+  return least;
 }
 
 ClosestFacePoint find(ClosestPointFinder& finder, Index v, const ClosestPointFinder::Point& point) {
@@ -125,8 +106,8 @@ TEST(ClosestPointFinder, FindsWhatSearchesOfFacesFind) {
       ++n_points;
       const double distance =
           found.face == invalid_index ? std::numeric_limits<double>::infinity() : std::abs(found.distance);
-      EXPECT_LE(distance, nearest_at(d.mesh, v, point, -1e-3).distance + 1e-6 * size);
-      EXPECT_GE(distance, nearest_at(d.mesh, v, point, 1e-3).distance - 1e-6 * size);
+      EXPECT_LE(distance, distance_at(d.mesh, v, point, -1e-3) + 1e-6 * size);
+      EXPECT_GE(distance, distance_at(d.mesh, v, point, 1e-3) - 1e-6 * size);
       if (found.face == invalid_index) {
         ++n_without;
         continue;
@@ -135,7 +116,7 @@ TEST(ClosestPointFinder, FindsWhatSearchesOfFacesFind) {
       EXPECT_EQ(corner.face, found.face);
       const Vec3 offset = center - position_of(d.mesh, found);
       n_farther += static_cast<std::size_t>(
-          offset.norm() > 1.01 * nearest_of_all(d.mesh, center, normal.normalized()).distance + 1e-4 * size);
+          offset.norm() > 1.01 * distance_to_agreeing(d.mesh, center, normal.normalized()) + 1e-4 * size);
       const Vec3 found_normal = normal_of(d.mesh, d.mesh.faces[found.face]).normalized();
       EXPECT_NEAR(found.distance, found_normal.dot(center - d.mesh.positions[d.mesh.faces[found.face][0]]),
                   1e-6 * size);

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "brute_force_pairs.hh"
 #include "support/meshes.hh"
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
@@ -93,22 +94,6 @@ TEST(Parts, HaveTheDiagonalsOfTheirBoxes) {
     const IndexedMesh other = scaled(mesh, factor);
     EXPECT_NEAR(part_diagonals(other.positions, parts_of(other))[0] / factor, 2 * std::sqrt(3.0), 1e-12);
   }
-}
-
-/// Compares every two vertices.
-std::vector<double> gaps_by_brute_force(const IndexedMesh& mesh) {
-  const Parts parts = parts_of(mesh);
-  std::vector<double> gaps_sq(parts.count, no_limit);
-  for (Index v = 0; v < mesh.positions.size(); ++v) {
-    for (Index w = 0; w < mesh.positions.size(); ++w) {
-      const Index part = parts.part_of[v];
-      const Index other = parts.part_of[w];
-      if (part == invalid_index || other == invalid_index || part == other) continue;
-      gaps_sq[part] = std::min(gaps_sq[part], (mesh.positions[v] - mesh.positions[w]).squaredNorm());
-    }
-  }
-  for (double& gap : gaps_sq) gap = std::sqrt(gap);
-  return gaps_sq;
 }
 
 void expect_gaps_as_by_brute_force(const std::string& name, const IndexedMesh& mesh) {

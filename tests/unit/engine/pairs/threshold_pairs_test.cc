@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "brute_force_pairs.hh"
 #include "support/meshes.hh"
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
@@ -29,63 +30,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-class BruteForce {
- public:
-  BruteForce(const IndexedMesh& mesh, double threshold, bool across_walls)
-      : mesh_(mesh), normals_(mesh.positions.size(), Vec3::Zero()), partners_(mesh.positions.size()) {
-    std::set<Index> used;
-    std::set<VertexPair> neighbours;
-    for (const Triangle& face : mesh.faces) {
-      if (!has_three_corners(face)) continue;
-      const Vec3& p = mesh.positions[face[0]];
-      const Vec3 normal = (mesh.positions[face[1]] - p).cross(mesh.positions[face[2]] - p);
-      for (const Index v : face) {
-        used.insert(v);
-        normals_[v] += normal;
-        for (const Index w : face) neighbours.insert({v, w});  // includes v itself
-      }
-    }
-    for (const Index v : used) {
-      for (const Index w : used) {
-        if (!is_near(v, w, threshold) || neighbours.count({v, w}) > 0) continue;
-        if (across_walls || !is_across_wall(v, w)) partners_[v].push_back({distance_sq(v, w), w});
-      }
-      std::sort(partners_[v].begin(), partners_[v].end());
-    }
-  }
-
-  ThresholdPairs pairs(std::size_t max_pairs) const {
-    std::set<VertexPair> pairs;
-    bool capped = false;
-    for (Index v = 0; v < partners_.size(); ++v) {
-      const std::size_t n = partners_[v].size();
-      capped = capped || (max_pairs > 0 && n > max_pairs);
-      for (std::size_t i = 0; i < (max_pairs > 0 ? std::min(n, max_pairs) : n); ++i) {
-        const Index w = partners_[v][i].second;
-        pairs.insert({std::min(v, w), std::max(v, w)});
-      }
-    }
-    return {{pairs.begin(), pairs.end()}, capped};
-  }
-
- private:
-  double distance_sq(Index v, Index w) const { return (mesh_.positions[v] - mesh_.positions[w]).squaredNorm(); }
-
-  bool is_near(Index v, Index w, double threshold) const {
-    if (mesh_.positions[v] == mesh_.positions[w]) return 0 < threshold;  // a tiny threshold's square may underflow to 0
-    return distance_sq(v, w) < threshold * threshold;
-  }
-
-  bool is_across_wall(Index v, Index w) const {
-    const Vec3 way = mesh_.positions[w] - mesh_.positions[v];
-    return normals_[v].dot(way) < 0 && normals_[w].dot(way) > 0 && normals_[v].dot(normals_[w]) < 0;
-  }
-
-  const IndexedMesh& mesh_;
-  std::vector<Vec3> normals_;
-  std::vector<std::vector<std::pair<double, Index>>> partners_;  ///< of each vertex, by distance, then number
-};
-
 std::string describe(const PairSearch& search) {
   return "threshold " + std::to_string(search.threshold) + ", max_pairs " +
          std::to_string(search.max_pairs.value_or(0)) + (search.across_walls ? "" : ", not across walls") +
@@ -99,7 +43,7 @@ ThresholdPairs find_in(const IndexedMesh& mesh, const PairSearch& search) {
 /// Compares for several limits and numbers of threads. \return the number of pairs without a limit
 std::size_t expect_as_brute_force(const std::string& name, const IndexedMesh& mesh, double threshold,
                                   bool across_walls = true) {
-  const BruteForce brute_force(mesh, threshold, across_walls);
+  const BruteForcePairs brute_force(mesh, threshold, across_walls);
   for (const std::uint32_t max_pairs : {0U, 1U, 2U, 7U, 32U}) {
     const ThresholdPairs expected = brute_force.pairs(max_pairs);
     for (const unsigned threads : {1U, 2U, 3U, 8U}) {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+
+// Sums and comparisons over all vertices of large assets.
+
+namespace whittle::gltf::test {
+
+/// The vertices in lexicographic order, one by one. \return the largest difference of coordinates; infinite if one mesh
+/// has more vertices than the other
+double largest_difference(const IndexedMesh& a, const IndexedMesh& b);
+
+/// \return whether both have the same positions, as 32 bits hold them
+bool are_positions_same(const IndexedMesh& a, const IndexedMesh& b);
+
+/// The longest side of the box around the mesh, which has vertices.
+double extent(const IndexedMesh& mesh);
+
+/// Of all faces: tells whether two meshes have the same ones, in any order.
+Vec3 mean_corner(const IndexedMesh& mesh);
+
+/// Likewise of an attribute.
+std::vector<double> mean_value(const IndexedMesh& mesh, const Attribute& attribute);
+
+/// The coordinates of all corners along an axis, ascending.
+std::vector<double> corners_along(int axis, const IndexedMesh& mesh);
+
+}  // namespace whittle::gltf::test
