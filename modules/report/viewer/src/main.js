@@ -44,7 +44,8 @@ class App {
     // What stands in the way of fewer faces is to be seen at once.
     this.result = this.results.find((model) => model.surface.refusals.length > 0) ??
       this.results.find((model) => model.surface.look) ?? this.results[0] ?? null;
-    this.isDrawn = true;
+    this.isDrawn = true; // what was asked for
+    this.isWhole = false; // what is drawn: sharp, with all faces, and in exact colours
     this.nDescribed = 0;
     this.motion = new Motion((wasQuick) => this.onRest(wasQuick));
     this.view = new View($('canvas'), boxOf(original), () => this.onView());
@@ -152,6 +153,8 @@ class App {
     this.showReasons();
     this.showLabels();
     this.view.setPanes(this.layout() === 'beside' ? 2 : 1);
+    if (!this.hasExactColours()) this.exact.stop();
+    this.draw();
   }
 
   /** The models that are in the picture. */
@@ -282,6 +285,7 @@ class App {
     this.view.setSharp(!isQuick);
     for (const model of [this.original, this.result]) model?.useCoarse(isQuick);
     this.view.draw(this.panes(isExact), this.background);
+    this.isWhole = !isQuick && isExact === hasExactColours;
     if (hasExactColours && !this.motion.isMoving) this.startExactColours();
     if (!document.documentElement.dataset.ready) document.documentElement.dataset.ready = Math.round(performance.now());
   }
@@ -311,16 +315,12 @@ class App {
 
   /** Settles when what was asked for is drawn, in exact colours. */
   async drawn() {
-    const nextFrame = () => new Promise(requestAnimationFrame); // what was asked for before is drawn in it
-    do {
+    this.motion.end();
+    for (let isInPicture = this.isDrawn; !isInPicture || !this.isWhole; isInPicture = true) { // a player goes on asking
       this.motion.end();
       this.draw();
-      await nextFrame();
+      await new Promise(requestAnimationFrame); // what was asked for before is drawn in it
       await this.exact.work;
-    } while (this.hasExactColours() && !this.exact.isDoneFor(this.keyOfExactColours()));
-    if (this.hasExactColours()) {
-      this.draw();
-      await nextFrame();
     }
     return 'drawn';
   }

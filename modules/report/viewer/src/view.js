@@ -38,7 +38,7 @@ export class View {
     this.width = Math.max(1, clientWidth);
     this.height = Math.max(1, clientHeight);
     this.renderer.setSize(this.width, this.height, false);
-    this.setPanes(this.panes);
+    this.fitPanes();
   }
 
   /** Several pixels for each of the screen, which smooths what is drawn. */
@@ -76,8 +76,14 @@ export class View {
   }
 
   setPanes(n) {
+    if (n === this.panes) return;
     this.panes = n;
-    this.camera.aspect = this.width / n / this.height;
+    this.fitPanes();
+  }
+
+  /** Lets the camera see what has the shape of a pane. */
+  fitPanes() {
+    this.camera.aspect = this.width / this.panes / this.height;
     this.camera.updateProjectionMatrix();
     this.onChange();
   }
