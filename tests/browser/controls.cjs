@@ -152,13 +152,10 @@ function useOf(name) {
   return others[name];
 }
 
-const isOfPlayer = (visitor, name) => visitor.page.evaluate((id) => Boolean(document.getElementById(id)?.closest('#player')), name);
-
 /** Uses each control of a part of the page, and adds its name to `used`. \param reach brings the page into the state */
 async function usesEach(visitor, {ofPlayer, reach, by, about, used}) {
   await reach();
-  for (const name of await visitor.controls()) {
-    if (await isOfPlayer(visitor, name) !== ofPlayer) continue;
+  for (const name of await visitor.controls(ofPlayer)) {
     await reach();
     if (!await visitor.isUsable(name)) continue; // not in this state any more
     await trying(`${name} by ${by}`, () => useOf(name)(visitor, name, by, about));
@@ -186,11 +183,7 @@ async function usesTheView(page, {by, about, used}) {
   const colours = await visitor.options('colour');
   for (let i = 0; i < Math.max(layouts.length, colours.length); ++i) {
     const [layout, colour] = [layouts[i % layouts.length], colours[i % colours.length]];
-    const reach = async () => {
-      if (layout) await visitor.choose('layout', layout, 'mouse');
-      await visitor.choose('colour', colour, 'mouse');
-      await visitor.page.evaluate(() => window.whittle.view.fit());
-    };
+    const reach = () => visitor.prepare({...layout && {layout}, colour});
     await trying(`${layout}, ${colour}`, () => usesEach(visitor, {ofPlayer: false, reach, by, about, used}));
   }
 }
@@ -214,11 +207,14 @@ async function usesTheKey(visitor, key, about) {
   const name = typeof keys[key] === 'string' ? keys[key] : null;
   for (const focused of ['body', 'canvas', 'edges']) {
     if (key === 'Esc' && focused !== 'edges') continue;
-    if (await visitor.isUsable('layout')) await visitor.choose('layout', name === 'ghost' ? 'over' : key === '1' ? 'result' : 'beside', 'mouse');
-    if (name === 'top' && (await visitor.options('colour')).includes('error')) await visitor.choose('colour', 'error', 'mouse');
+    const layout = await visitor.isUsable('layout') && {layout: name === 'ghost' ? 'over' : key === '1' ? 'result' : 'beside'};
+    const colour = name === 'top' && (await visitor.options('colour')).includes('error') && {colour: 'error'};
+    await visitor.prepare({...layout, ...colour});
     if (await visitor.isUsable('play')) await visitor.reach(0.5037, 0);
-    if (name === 'fit') await page.evaluate(() => window.whittle.view.rotate(0.3, 0.2)); else await page.evaluate(() => window.whittle.view.fit());
-    await visitor.choose('shading', await visitor.value('shading'), 'mouse'); // forgets what was said
+    await page.evaluate((isTurned) => {
+      if (isTurned) window.whittle.view.rotate(0.3, 0.2);
+      window.whittle.forgetWhatWasDescribed();
+    }, name === 'fit');
     if (name && !await visitor.isUsable(name) || focused === 'edges' && ['Space'].includes(key)) continue;
     if (lists[name] && (await visitor.options(name)).length < 2) continue;
     await page.evaluate((id) => (document.getElementById(id) ?? document.activeElement)[id === 'body' ? 'blur' : 'focus'](), focused);

@@ -1,5 +1,6 @@
-// The distance of a point to a mesh, and where a ray meets it, by a look at every face. Sources: Ericson: Real-Time
-// Collision Detection (2005), section 5.1.5; Möller and Trumbore: Fast, Minimum Storage Ray/Triangle Intersection (1997).
+// The distance of a point to a mesh, and where a ray meets it, by a look at every face, or at the box around it or the side
+// of the ray that it is on. Sources: Ericson: Real-Time Collision Detection (2005), section 5.1.5; Möller and Trumbore: Fast,
+// Minimum Storage Ray/Triangle Intersection (1997).
 'use strict';
 
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -42,11 +43,23 @@ function closestOnFace(p, a, b, c) {
   return along(along(a, ab, vb / sum), ac, vc / sum);
 }
 
+/** Not above the square of the distance to a face: that to the box around it. */
+function squareToBox(p, a, b, c) {
+  let sum = 0;
+  for (let d = 0; d < 3; ++d) {
+    const off = Math.max(0, Math.min(a[d], b[d], c[d]) - p[d], p[d] - Math.max(a[d], b[d], c[d]));
+    sum += off * off;
+  }
+  return sum;
+}
+
 /** \param mesh {positions: [x, y, z] each, corners: three numbers a face} */
 function exactDistance(p, {positions, corners}) {
   let least = Infinity;
   for (let i = 0; i < corners.length; i += 3) {
-    const difference = minus(p, closestOnFace(p, positions[corners[i]], positions[corners[i + 1]], positions[corners[i + 2]]));
+    const [a, b, c] = [positions[corners[i]], positions[corners[i + 1]], positions[corners[i + 2]]];
+    if (squareToBox(p, a, b, c) > least) continue;
+    const difference = minus(p, closestOnFace(p, a, b, c));
     least = Math.min(least, dot(difference, difference));
   }
   return Math.sqrt(least);
@@ -67,11 +80,27 @@ function meetsFace(origin, direction, a, b, c) {
   return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : Infinity;
 }
 
+const unit = (a) => along([0, 0, 0], a, 1 / Math.sqrt(dot(a, a)));
+
+/** How far each point is on one side of two planes that meet in a ray. */
+function sidesOf(positions, origin, direction) {
+  const sizes = direction.map(Math.abs);
+  const axis = [0, 0, 0];
+  axis[sizes.indexOf(Math.min(...sizes))] = 1;
+  const first = unit(cross(direction, axis));
+  return [first, unit(cross(direction, first))].map((normal) => Float64Array.from(positions, (p) => dot(p, normal) - dot(origin, normal)));
+}
+
 /** The first point of a mesh on a ray, or null. */
 function firstPoint(origin, direction, {positions, corners}) {
+  const planes = sidesOf(positions, origin, direction);
+  const rounding = 1e-6; // of sides, in the unit of the grid
   let least = Infinity;
   for (let i = 0; i < corners.length; i += 3) {
-    least = Math.min(least, meetsFace(origin, direction, positions[corners[i]], positions[corners[i + 1]], positions[corners[i + 2]]));
+    const [a, b, c] = [corners[i], corners[i + 1], corners[i + 2]];
+    const isAside = (sides) => Math.min(sides[a], sides[b], sides[c]) > rounding || Math.max(sides[a], sides[b], sides[c]) < -rounding;
+    if (isAside(planes[0]) || isAside(planes[1])) continue;
+    least = Math.min(least, meetsFace(origin, direction, positions[a], positions[b], positions[c]));
   }
   return least < Infinity ? along(origin, direction, least) : null;
 }

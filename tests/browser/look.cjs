@@ -13,6 +13,8 @@ const [nodeModules, chromium, folder] = process.argv.slice(2);
 const file = (name) => path.resolve(folder, name);
 const readJson = (name) => JSON.parse(fs.readFileSync(file(name), 'utf8'));
 
+const desktop = {width: 1200, height: 900}; // of pages that are to be seen in a large window
+
 let withPage;
 
 /** Waits until what was asked for is drawn. */
@@ -23,11 +25,13 @@ async function pixels(page) {
   await drawn(page);
   return page.evaluate(({data, width, height}) => {
     const halves = [{shown: 0, sum: 0}, {shown: 0, sum: 0}];
-    for (let i = 0; i < data.length; i += 4) {
-      const x = i / 4 % width;
-      const half = halves[x < width / 2 ? 0 : 1];
-      if (data[i] !== data[0] || data[i + 1] !== data[1] || data[i + 2] !== data[2]) ++half.shown;
-      half.sum = (half.sum * 31 + data[i] * 7 + data[i + 1] * 5 + data[i + 2]) % 1000003;
+    const colours = new Int32Array(data.buffer);
+    for (let y = 0, i = 0; y < height; ++y) {
+      for (let x = 0; x < width; ++x, ++i) {
+        const half = halves[x < width / 2 ? 0 : 1];
+        if (colours[i] !== colours[0]) ++half.shown;
+        half.sum = Math.imul(half.sum, 31) + colours[i] | 0;
+      }
     }
     return {halves, background: [data[0], data[1], data[2]], nPixels: width * height};
   }, await pixelsOfCanvas(page));
@@ -239,7 +243,7 @@ async function main() {
     await page.evaluate(() => window.whittle.player.goTo(1));
     await looksLikeItsResult(page);
   });
-  await withPage('errors.html', hasRightErrors);
+  await withPage('errors.html', hasRightErrors, desktop);
   await withPage('errors.html', saysWhatIsClicked, {hash: '#colour=error'});
   await withPage('why.html', async (page) => {
     assert.match(await text(page, 'reasons'), /150 by topology/);
@@ -261,7 +265,7 @@ async function main() {
     await withPage('errors.html', async (page) => {
       await showsBothMeshes(page);
       backgrounds[colorScheme] = (await pixels(page)).background[0];
-    }, {colorScheme});
+    }, {...desktop, colorScheme});
   }
   assert.ok(backgrounds.light > 150 && backgrounds.dark < 100, `backgrounds: ${JSON.stringify(backgrounds)}`);
   await withPage('markup.html', async (page) => {

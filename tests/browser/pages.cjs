@@ -9,9 +9,17 @@ async function openBrowser(nodeModules, chromium, folder) {
   const browser = await driver.launch({executablePath: chromium,
     args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
 
-  async function withPage(name, use, {hash = '', width = 1200, height = 900, colorScheme = 'light', hasTouch = false} = {}) {
-    const context = await browser.newContext({viewport: {width, height}, colorScheme, hasTouch});
-    const page = await context.newPage();
+  const opened = new Map(); // windows, with touch and without: what starts a page anew takes less than what starts a window
+
+  async function pageIn(hasTouch) {
+    if (!opened.has(hasTouch)) opened.set(hasTouch, await (await browser.newContext({hasTouch})).newPage());
+    return opened.get(hasTouch);
+  }
+
+  async function withPage(name, use, {hash = '', width = 600, height = 500, colorScheme = 'light', hasTouch = false} = {}) {
+    const page = await pageIn(hasTouch);
+    await page.setViewportSize({width, height});
+    await page.emulateMedia({colorScheme});
     const messages = [];
     page.on('console', (message) => messages.push(`console: ${message.text()}`));
     page.on('pageerror', (error) => messages.push(`error: ${error.message}`));
@@ -23,7 +31,8 @@ async function openBrowser(nodeModules, chromium, folder) {
     await use(page);
     assert.deepEqual(messages, [], `${name} is silent`);
     assert.equal(requests.length, 1, `${name} asks for nothing: ${requests}`);
-    await context.close();
+    page.removeAllListeners();
+    await page.goto('about:blank'); // the same page with another hash would not begin anew
   }
   return {withPage, close: () => browser.close()};
 }

@@ -8,23 +8,25 @@ class Visitor {
     this.page = page;
   }
 
-  /** What is seen. `picture` is a number that tells pictures apart. */
+  /** What is seen. `picture` tells pictures apart. */
   async look() {
     return this.page.evaluate(async () => {
+      await new Promise(requestAnimationFrame); // moves of a mouse and of fingers come with it
       await window.whittle.drawn();
       const $ = (id) => document.getElementById(id);
       const gl = $('canvas').getContext('webgl2'); // of the page: what is in it is what is shown
-      const pixels = new Int32Array(gl.drawingBufferWidth * gl.drawingBufferHeight);
-      gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(pixels.buffer));
-      const picture = pixels.reduce((hash, pixel) => Math.imul(hash, 31) + pixel | 0, pixels.length);
+      const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+      gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
       const text = (id) => $(id).closest('[hidden]') ? '' : $(id).textContent;
       const labels = `${text('left-label')} | ${text('right-label')}`;
-      return {
-        picture, labels, legend: text('legend'), reasons: text('reasons'), status: text('status'), level: text('level'), speed: text('speed'),
+      const seen = {
+        labels, legend: text('legend'), reasons: text('reasons'), status: text('status'), level: text('level'), speed: text('speed'),
         play: text('play'), back: text('back'), place: $('slider').value / 1000, focus: document.activeElement.id,
         direction: Number(text('play') === 'Pause') - Number(text('back') === 'Pause'), isOpen: document.querySelector('details').open,
         isRecordingShown: labels.includes('level of the run'), nLevels: window.whittle.recording?.nSteps,
       };
+      const digest = await crypto.subtle.digest('SHA-256', pixels); // of what was seen with these texts
+      return {...seen, picture: `${pixels.length} ${new Uint32Array(digest).join()}`};
     });
   }
 
@@ -58,10 +60,32 @@ class Visitor {
     if (direction !== 0) await this.wait(([at]) => window.whittle.player.place !== at, [begin], 'it plays');
   }
 
-  /** The names of the controls that can be used now: their id, or their tag. */
-  controls() {
-    return this.page.$$eval('a[href], button, input, select, textarea, summary, [tabindex], [contenteditable]', (all) =>
-      all.filter((e) => e.offsetParent !== null && !e.disabled).map((e) => e.id || e.tagName.toLowerCase()));
+  /** Brings lists to values, and shows all from the front, in one picture, if something of it is not so yet.
+      \param values by the list's name */
+  prepare(values) {
+    return this.page.evaluate((wanted) => {
+      for (const [name, value] of Object.entries(wanted)) {
+        const list = document.getElementById(name);
+        if (list.value === value) continue;
+        list.value = value;
+        if (list.value !== value) throw new Error(`${name} has no ${value}`);
+        list.dispatchEvent(new Event('change'));
+      }
+      const {view} = window.whittle;
+      if (view.key() === window.keyWhenFitted) return;
+      view.fit();
+      window.keyWhenFitted = view.key();
+    }, values);
+  }
+
+  /** The names of the controls that can be used now: their id, or their tag.
+      \param isOfPlayer whether only those of the player are meant, or only the others; otherwise all are */
+  controls(isOfPlayer = null) {
+    return this.page.evaluate((ofPlayer) => {
+      const all = document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex], [contenteditable]');
+      const isMeant = (e) => ofPlayer === null || Boolean(e.closest('#player')) === ofPlayer;
+      return [...all].filter((e) => e.offsetParent !== null && !e.disabled && isMeant(e)).map((e) => e.id || e.tagName.toLowerCase());
+    }, isOfPlayer);
   }
 
   async isUsable(name) {
@@ -82,11 +106,11 @@ class Visitor {
 
   /** The values that a list offers. */
   options(name) {
-    return this.page.$eval(`#${name}`, ({options}) => [...options].filter(({disabled}) => !disabled).map(({value}) => value));
+    return this.page.evaluate((id) => [...document.getElementById(id).options].filter(({disabled}) => !disabled).map(({value}) => value), name);
   }
 
   value(name) {
-    return this.page.$eval(`#${name}`, ({value}) => value);
+    return this.page.evaluate((id) => document.getElementById(id).value, name);
   }
 
   /** Chooses in a list. A browser without a window has no list to click into. */
