@@ -19,8 +19,8 @@ warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 # Settings that a user may compile with: name, flags, programs. OpenMesh's own headers need RTTI.
 configurations=(
   "c++20|-std=c++20 -O1|plain with_openmesh"
-  "c++23|-std=c++2b -O1|plain with_openmesh"
-  "no-rtti|-std=c++20 -O1 -fno-rtti|plain"
+  "c++23|-std=c++2b -O0|plain with_openmesh"
+  "no-rtti|-std=c++20 -O0 -fno-rtti|plain"
   "fast-math|-std=c++20 -O1 -ffast-math|plain with_openmesh"
 )
 # Functions of headers that are not inlined, with arithmetic that rounds otherwise: the library must not use them.
