@@ -21,7 +21,7 @@ export class ExactColours {
     this.key = null; // of what is in work or done
     this.isDone = false;
     this.nRuns = 0; // the last one is wanted, unless it was stopped
-    this.work = null; // a promise
+    this.work = null; // a promise: settles when all runs have ended, those that were stopped, too
     this.placeMaterial = new ShaderMaterial({
       glslVersion: GLSL3, vertexShader, fragmentShader: placeShader, side: DoubleSide, blending: NoBlending,
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1, uniforms: {isSmooth: {value: false}},
@@ -60,7 +60,7 @@ export class ExactColours {
     if (this.key === key) return;
     this.key = key;
     this.isDone = false;
-    this.work = this.run(panes, ++this.nRuns);
+    this.work = Promise.all([this.work, this.run(panes, ++this.nRuns)]);
   }
 
   async run(panes, number) {

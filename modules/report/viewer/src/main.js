@@ -322,6 +322,7 @@ class App {
       await new Promise(requestAnimationFrame); // what was asked for before is drawn in it
       await this.exact.work;
     }
+    await this.exact.work; // one that was stopped may still be reading
     return 'drawn';
   }
 
