@@ -101,6 +101,7 @@ int main(int argc, char** argv) {
     handle_signals();
     std::vector<std::string> words = words_of_command_line(argc, argv);
     CLI::App app("Makes triangle meshes smaller and keeps their shape.", "whittle");
+    app.allow_windows_style_options(false);  // "/x" is a path on Windows, too
     app.formatter(std::make_shared<HelpFormatter>());
     app.set_help_flag("-h,--help", "print this help");
     app.set_version_flag("-V,--version", program_and_version(), "print the version");
