@@ -26,11 +26,12 @@ if command -v ccache >/dev/null; then
   export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
 fi
 
-# configure_by FLAGS BUILD PRESET [OPTION...]: build/BUILD. Where mold is there, it links, in a tenth of the time.
+# configure_by FLAGS BUILD PRESET [OPTION...]: build/BUILD. Where mold is there, it links.
 configure_by() {
   local linker=
   if command -v mold >/dev/null; then linker=-fuse-ld=mold; fi
-  CXXFLAGS="${CXXFLAGS:-} $1" LDFLAGS="${LDFLAGS:-} $linker" quietly "$logs/configure-$2.log" cmake --preset "$3" -B "build/$2" "${cached[@]}" "${@:4}"
+  CXXFLAGS="${CXXFLAGS:-} $1" LDFLAGS="${LDFLAGS:-} $linker" \
+    quietly "$logs/configure-$2.log" cmake --preset "$3" -B "build/$2" "${cached[@]}" "${@:4}"
 }
 configure_release() { configure_by "$for_gcc" release release -DWHITTLE_UNITY_TESTS=ON; }
 configure_clang() { configure_by "$for_clang" "$@" -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_UNITY_BUILD=ON; }

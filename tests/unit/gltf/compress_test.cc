@@ -8,10 +8,14 @@
 
 #include "assets.hh"
 #include "mesh_comparison.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/gltf/asset.hh"
 
 namespace whittle::gltf::test {
 namespace {
+
+/// The longest side of the box around the mesh.
+double extent(const IndexedMesh& mesh) { return bounds_of(mesh.positions).sizes().maxCoeff(); }
 
 void expect_close(const IndexedMesh& a, const IndexedMesh& b) {
   ASSERT_EQ(a.faces.size(), b.faces.size());

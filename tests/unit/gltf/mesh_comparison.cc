@@ -28,16 +28,6 @@ bool are_positions_same(const IndexedMesh& a, const IndexedMesh& b) {
                             [](const Vec3& p, const Vec3& q) { return p.cast<float>() == q.cast<float>(); });
 }
 
-double extent(const IndexedMesh& mesh) {
-  Vec3 low = mesh.positions.front();
-  Vec3 high = low;
-  for (const Vec3& position : mesh.positions) {
-    low = low.cwiseMin(position);
-    high = high.cwiseMax(position);
-  }
-  return (high - low).maxCoeff();
-}
-
 Vec3 mean_corner(const IndexedMesh& mesh) {
   Vec3 sum = Vec3::Zero();
   for (const Triangle& face : mesh.faces) {

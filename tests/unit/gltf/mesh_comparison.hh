@@ -15,9 +15,6 @@ double largest_difference(const IndexedMesh& a, const IndexedMesh& b);
 /// \return whether both have the same positions, as 32 bits hold them
 bool are_positions_same(const IndexedMesh& a, const IndexedMesh& b);
 
-/// The longest side of the box around the mesh, which has vertices.
-double extent(const IndexedMesh& mesh);
-
 /// Of all faces: tells whether two meshes have the same ones, in any order.
 Vec3 mean_corner(const IndexedMesh& mesh);
 
