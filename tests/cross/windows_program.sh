@@ -59,6 +59,35 @@ diff <(grep -v kleiner "$folder/said.txt") <(grep -v normal.ply "$folder/native/
 on_windows info "$folder/crlf.obj"
 "$native" info "$folder/crlf.obj" | diff - "$folder/said.txt"
 
+say "files that others name, with umlauts"
+mkdir -p "$folder/Größe ä/Ziel" "$folder/native/Ziel"
+on_windows convert "$folder/crlf.obj" "$folder/Größe ä/Körper.gltf"
+"$native" convert "$folder/crlf.obj" "$folder/native/Körper.gltf" --quiet
+same "$folder/Größe ä/Körper.bin" "$folder/native/Körper.bin"
+on_windows simplify "$folder/Größe ä/Körper.gltf" -o "$folder/Größe ä/Ziel/{stem}_klein.gltf" --faces 100
+"$native" simplify "$folder/native/Körper.gltf" -o "$folder/native/Ziel/{stem}_klein.gltf" --faces 100 --quiet
+for name in gltf bin; do same "$folder/Größe ä/Ziel/Körper_klein.$name" "$folder/native/Ziel/Körper_klein.$name"; done
+printf 'newmtl Grün\r\nmap_Kd Bilder\\Grün.png\r\n' >"$folder/Größe ä/Stoffe ü.mtl"
+mkdir -p "$folder/Größe ä/Bilder"
+base64 -d >"$folder/Größe ä/Bilder/Grün.png" \
+  <<<iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==
+{ printf 'mtllib Stoffe ü.mtl\r\n' && cat "$folder/crlf.obj"; } >"$folder/Größe ä/Stück.obj"
+on_windows simplify "$folder/Größe ä/Stück.obj" -o "$folder/Größe ä/Ziel/Stück.obj" --faces 100
+for name in "Stoffe ü.mtl" Bilder/Grün.png; do same "$folder/Größe ä/Ziel/$name" "$folder/Größe ä/$name"; done
+
+say "in the place of the input, and what is refused"
+cp "$data/knot.ply" "$folder/Größe ä/ersetzt ö.ply"
+on_windows simplify "$folder/Größe ä/ersetzt ö.ply" -o "$drive_path\\Größe ä\\ersetzt ö.ply" --ratio 10% --force
+same "$folder/Größe ä/ersetzt ö.ply" "$folder/native/normal.ply"
+status=0
+wine "$exe" convert "$folder/Größe ä/Körper.gltf" "$drive_path\\Größe ä\\Körper.bin" --output-format stl \
+  2>"$folder/errors.raw" || status=$?
+expected=0
+"$native" convert "$folder/native/Körper.gltf" "$folder/native/Körper.bin" --output-format stl \
+  2>"$folder/native/errors.txt" || expected=$?
+[ "$expected" != 0 ] && [ "$status" = "$expected" ] || fail "exit status $status instead of $expected"
+grep -q 'Körper.bin: .*needs this file' "$folder/errors.raw" || fail "$(cat "$folder/errors.raw")"
+
 say "bytes through standard input and output"
 wine "$exe" convert - - --input-format ply --output-format stl <"$data/knot.ply" >"$folder/piped.stl"
 "$native" convert - - --input-format ply --output-format stl <"$data/knot.ply" >"$folder/native/piped.stl"

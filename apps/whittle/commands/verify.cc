@@ -18,6 +18,7 @@
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/progress.hh"
 #include "whittle/io/errors.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/io/whole_file.hh"
 
 namespace whittle::app {
@@ -55,7 +56,7 @@ verify::Triangles triangles_of(const Scene& input) {
 
 VerifyRun verify_files(const VerifyCommand& options, const Talk& talk) {
   VerifyRun run;
-  run.certificate = io::read_file(options.certificate, options.certificate);
+  run.certificate = io::read_file(io::path_of(options.certificate), options.certificate);
   run.input = read_input(options.input, options.files, options.common.threads, talk);
   run.output = read_output(options, talk);
   run.diagonal = diagonal_of(bounds_of(run.input.read.mesh));

@@ -7,6 +7,7 @@
 #include "terminal/errors.hh"
 #include "whittle/core/progress.hh"
 #include "whittle/core/text/text.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/scene/join_scenes.hh"
 
 namespace whittle::app {
@@ -21,7 +22,7 @@ const SceneFormat* input_format(const std::string& path, const FileOptions& opti
 
 /// The title of a document that is packed with gzip. Empty if it is not one.
 std::string_view title_of_packed_document(const std::string& path) {
-  if (!io::has_gzip_extension(path)) return {};
+  if (!io::has_gzip_extension(io::path_of(path))) return {};
   const SceneFormat* const format = format_by_name(path.substr(0, path.rfind('.')));
   return format != nullptr && format->is_document ? format->title : std::string_view();
 }

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "terminal/errors.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/pipeline/simplify_file.hh"
 
 namespace whittle::app {
@@ -15,7 +16,7 @@ const SceneFormat& output_format(const std::string& path, const FileOptions& opt
   if (options.format != nullptr) return *options.format;
   if (path == standard_stream) throw UsageError(needs_format("--output-format"));
   try {
-    return format_of(io::format_of(path));
+    return format_of(io::format_of(io::path_of(path)));
   } catch (const std::invalid_argument& error) {
     std::string problem = error.what();
     const std::size_t remedy = problem.find("not supported; ");  // helps who reads such a file

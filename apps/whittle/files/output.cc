@@ -9,6 +9,7 @@
 #include "system/system.hh"
 #include "terminal/errors.hh"
 #include "terminal/interruption.hh"
+#include "whittle/io/path_of.hh"
 
 namespace whittle::app {
 namespace {
@@ -21,8 +22,8 @@ std::string identity_of(const std::string& path) { return path == standard_strea
 
 void check_folder(const std::string& path) {
   std::error_code error;
-  if (path == standard_stream || fs::exists(fs::status(path, error))) return;
-  fs::path folder = fs::path(path).parent_path();
+  if (path == standard_stream || fs::exists(io::path_of(path), error)) return;
+  fs::path folder = io::path_of(path).parent_path();
   if (folder.empty()) folder = ".";
   if (!fs::is_directory(folder, error)) throw io::WriteError(path, "there is no folder " + folder.string());
   if (const std::string why = why_not_writable(folder.string()); !why.empty()) {
@@ -33,7 +34,7 @@ void check_folder(const std::string& path) {
 /// Renaming the result would replace such a file all the same.
 void refuse_write_protected(const std::string& path) {
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
+  const fs::file_status status = fs::status(io::path_of(path), error);
   constexpr auto write = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
   if (path == standard_stream || !fs::is_regular_file(status) || (status.permissions() & write) != fs::perms::none) {
     return;

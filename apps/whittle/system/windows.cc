@@ -79,7 +79,7 @@ std::uint64_t peak_memory_bytes() {
 }
 
 bool open_on_desktop(const std::string& path) {
-  const std::filesystem::path file(path);  // libstdc++ takes UTF-8
+  const std::filesystem::path file(std::u8string(path.begin(), path.end()));
   const auto result =
       reinterpret_cast<std::intptr_t>(::ShellExecuteW(nullptr, L"open", file.c_str(), nullptr, nullptr, SW_SHOWNORMAL));
   return result > 32;  // as its reference says

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "whittle/core/text/text.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/io/whole_file.hh"
 
 namespace whittle {
@@ -41,7 +42,8 @@ void copy_companions(io::OutputFiles& files, const std::string& input, const std
   std::string missing;
   std::set<fs::path> seen;
   for (const fs::path& name : names) {
-    if (name.is_absolute() || to / name == output || !seen.insert(name.lexically_normal()).second) continue;
+    if (name.is_absolute() || to / name == io::path_of(output) || !seen.insert(name.lexically_normal()).second)
+      continue;
     bool is_new = false;
     const std::string problem = copied(files, from, to, name, is_new);
     if (is_new) new_files.push_back(name.generic_string());

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <filesystem>
 
+#include "whittle/io/path_of.hh"
+
 namespace whittle {
 namespace {
 
@@ -41,7 +43,7 @@ const SceneFormat* format_by_extension(std::string_view extension) {
 }
 
 const SceneFormat* format_by_name(const std::string& path) {
-  const std::filesystem::path name(path);
+  const std::filesystem::path name = io::path_of(path);
   const bool is_packed = io::has_gzip_extension(name);
   const std::string extension = (is_packed ? name.stem() : name).extension().string();
   const SceneFormat* const format = extension.empty() ? nullptr : format_by_extension(extension.substr(1));

@@ -8,6 +8,7 @@
 
 #include "whittle/core/pieces.hh"
 #include "whittle/core/text/text.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/scene/errors.hh"
 
 namespace whittle {
@@ -38,7 +39,7 @@ void spell_out(io::ReadResult& read, const char* name) {
 
 /// The objects of a file become its stem, or "stem object" where it has several.
 void name_by_file(io::ReadResult& read, const std::string& path) {
-  const std::filesystem::path name = std::filesystem::path(path).filename();
+  const std::filesystem::path name = io::path_of(path).filename();
   const std::string stem = (io::has_gzip_extension(name) ? name.stem() : name).stem().string();
   std::vector<std::string>& names = read.notes.face_names[object_attribute];
   if (find_of_faces(read.mesh, object_attribute) == nullptr || names.empty()) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "whittle/io/materials.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/scene/scene_document.hh"
 
 namespace whittle {
@@ -11,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 SceneMaterials materials_beside(const Scene& scene) {
-  const fs::path folder = scene.path == standard_stream ? fs::path() : fs::path(scene.path).parent_path();
+  const fs::path folder = scene.path == standard_stream ? fs::path() : io::path_of(scene.path).parent_path();
   io::SurfaceMaterials from = io::read_materials(scene.read.notes, folder, scene.read.mesh);
   io::read_images(from.materials, folder);
   SceneMaterials materials{.of_groups = std::move(from.materials), .are_told = from.are_told, .warnings = {}};

@@ -10,6 +10,7 @@
 #include "formats.hh"
 #include "whittle/core/text/text.hh"
 #include "whittle/io/materials.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/io/write.hh"
 #include "whittle/scene/read_scene.hh"
 #include "whittle/scene/scene_document.hh"
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 
 io::ReadResult read_mesh(const SceneFile& file, const io::ReadOptions& options) {
   if (file.path() == standard_stream) return io::read_mesh(file.content(), file.name(), options);
-  return io::read_mesh(file.path(), options);
+  return io::read_mesh(io::path_of(file.path()), options);
 }
 
 Scene read_one_mesh(const SceneFile& file, const SceneReadOptions& options) {
@@ -68,7 +69,8 @@ void name_texture(const SceneOutput& output, const Scene& scene, io::FileNotes& 
 void write_mesh(io::OutputFiles& files, const SceneOutput& output, const IndexedMesh& mesh, const io::FileNotes& notes,
                 SceneMessages& messages) {
   files.write(output.path, [&](std::ostream& out) {
-    const io::WriteOptions how{.ascii = output.ascii, .gzip = io::has_gzip_extension(output.path), .notes = notes};
+    const io::WriteOptions how{
+        .ascii = output.ascii, .gzip = io::has_gzip_extension(io::path_of(output.path)), .notes = notes};
     for (const std::string& warning : io::write_mesh(out, *output.format->mesh_format, mesh, how).warnings) {
       messages.warnings.push_back(about(name_of(output), warning));
     }

@@ -11,6 +11,7 @@
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/text/text.hh"
 #include "whittle/io/border_gaps.hh"
+#include "whittle/io/path_of.hh"
 
 namespace whittle {
 namespace {
@@ -59,7 +60,7 @@ Scene SceneFile::read(const SceneReadOptions& options) const {
   refuse_large_coordinates(scene.read.mesh, name());
   scene.path = path_;
   scene.name = name();
-  scene.mesh_name = std::filesystem::path(path_).filename().stem().string();
+  scene.mesh_name = io::path_of(path_).filename().stem().string();
   scene.weld_tolerance = weld_gaps(scene.read, options.weld_tolerance, options.threads);
   for (const std::string& warning : scene.read.warnings) scene.warnings.push_back(about(scene.name, warning));
   return scene;

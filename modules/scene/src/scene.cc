@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "whittle/core/text/text.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/scene/scene_document.hh"
 
 namespace whittle {
@@ -33,8 +34,9 @@ void flip_texcoords(IndexedMesh& mesh) {
   }
 }
 
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+std::filesystem::path folder_of(const std::string& path) {
+  const std::filesystem::path file = io::path_of(path);
+  return file.has_parent_path() ? file.parent_path() : ".";
 }
 
 }  // namespace whittle

@@ -9,6 +9,7 @@
 
 #include "support/shapes/shapes.hh"
 #include "whittle/io/output_files.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 
@@ -91,6 +92,26 @@ TEST_F(OutputFileTest, FollowsSymbolicLinks) {
     EXPECT_TRUE(fs::is_symlink(link));
     EXPECT_EQ(content(target), text);
   }
+}
+
+TEST_F(OutputFileTest, HasANameInUtf8) {
+  const fs::path path = path_of("Größe ∞.txt");
+  EXPECT_EQ(path.u16string(), u"Größe ∞.txt");
+  OutputFiles files;
+  files.write((folder_ / path).string(), [](std::ostream& out) { out << "text"; });
+  files.commit();
+  EXPECT_EQ(content(folder_ / u"Größe ∞.txt"), "text");
+}
+
+TEST_F(OutputFileTest, HasOneIdentityByAnyName) {
+  for (const char* name : {"ä.txt", "b.txt"}) std::ofstream(folder_ / path_of(name)) << name;
+  fs::create_hard_link(folder_ / path_of("ä.txt"), folder_ / "c.txt");
+  const auto identity = [&](const std::string& name) { return file_identity((folder_ / path_of(name)).string()); };
+  EXPECT_EQ(identity("ä.txt"), identity("c.txt"));
+  EXPECT_EQ(identity("ä.txt"), identity("./ä.txt"));
+  EXPECT_NE(identity("ä.txt"), identity("b.txt"));
+  EXPECT_EQ(identity("none.txt"), identity("../" + folder_.filename().string() + "/none.txt"));
+  EXPECT_NE(identity("none.txt"), identity("b.txt"));
 }
 
 TEST_F(OutputFileTest, WritesDevicesDirectlyAndLeavesThemThere) {

@@ -21,6 +21,7 @@
 #include "whittle/core/progress.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/io/errors.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/progressive/recording.hh"
 #include "whittle/simplify/simplify.hh"
 
@@ -28,11 +29,11 @@ namespace whittle::app {
 namespace {
 
 /// The name of a file without its folders.
-std::string short_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+std::string short_name(const std::string& path) { return io::path_of(path).filename().string(); }
 
 bool is_recording(const std::string& path) {
   std::array<char, 8> begin{};
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file(io::path_of(path), std::ios::binary);
   file.read(begin.data(), begin.size());
   return file && std::string_view(begin.data(), begin.size()) == progressive::recording_signature;
 }

@@ -13,6 +13,7 @@
 #include "whittle/core/float32_positions.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/io/errors.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/io/whole_file.hh"
 #include "whittle/progressive/recording.hh"
 
@@ -22,7 +23,7 @@ namespace {
 using progressive::Recording;
 
 Recording read_recording_file(const std::string& path) {
-  std::ifstream file = io::open_file(path, path);
+  std::ifstream file = io::open_file(io::path_of(path), path);
   try {
     return progressive::read_recording(file);
   } catch (const progressive::RecordingError& error) {
@@ -60,8 +61,7 @@ Input input_in_recording(const std::string& path, const Recording& recording) {
   input.name = path;
   input.read.notes = notes_in(path, recording);
   const auto name = recording.notes.find(mesh_name_note);
-  input.mesh_name =
-      name == recording.notes.end() ? std::filesystem::path(path).filename().stem().string() : name->second.front();
+  input.mesh_name = name == recording.notes.end() ? io::path_of(path).filename().stem().string() : name->second.front();
   return input;
 }
 

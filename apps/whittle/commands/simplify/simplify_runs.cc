@@ -8,6 +8,7 @@
 #include "files/output.hh"
 #include "files/report.hh"
 #include "terminal/errors.hh"
+#include "whittle/io/path_of.hh"
 
 namespace whittle::app {
 namespace {
@@ -17,7 +18,7 @@ bool has_stem(const std::string& path) { return path.find(stem_word) != std::str
 /// "mesh" of "folder/mesh.ply.gz"
 std::string stem_of(const std::string& input) {
   if (input == standard_stream) throw UsageError("'-' has no name to put for '{stem}' in the name of a file");
-  const std::filesystem::path name = std::filesystem::path(input).filename();
+  const std::filesystem::path name = io::path_of(input).filename();
   return (io::has_gzip_extension(name) ? name.stem() : name).stem().string();
 }
 

@@ -1,12 +1,12 @@
 #include "whittle/io/output_files.hh"
 
-#include <sys/stat.h>
-
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <ostream>
 #include <system_error>
+
+#include "whittle/io/path_of.hh"
 
 namespace whittle::io {
 namespace {
@@ -30,12 +30,10 @@ void fill_checked(std::ostream& stream, const std::string& name, const std::func
 }
 
 std::string file_identity(const std::string& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) == 0) {
-    return std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino);
-  }
+  const std::filesystem::path file = path_of(path);
+  if (std::string number = file_number(file); !number.empty()) return number;
   std::error_code error;
-  const std::filesystem::path target = std::filesystem::absolute(OutputFile::target_of(path), error);
+  const std::filesystem::path target = std::filesystem::absolute(OutputFile::target_of(file), error);
   return std::filesystem::weakly_canonical(target, error).string();
 }
 
@@ -50,7 +48,7 @@ void OutputFiles::write(const std::string& path, const std::function<void(std::o
   if (!written_.insert(file_identity(path)).second) {
     throw OutputConflict(path, "the run would write two files of this name; choose another name for one of them");
   }
-  files_.push_back(std::make_unique<OutputFile>(path));
+  files_.push_back(std::make_unique<OutputFile>(path_of(path)));
   fill_checked(files_.back()->stream(), path, fill);
 }
 
@@ -82,7 +80,7 @@ bool OutputFiles::write_with_folders(const std::string& path, const std::string&
   const std::size_t hash = std::hash<std::string>{}(bytes);
   const auto earlier = shared_.find(identity);
   if (earlier != shared_.end() && earlier->second == hash) return false;
-  make_folders(std::filesystem::path(path).parent_path());
+  make_folders(path_of(path).parent_path());
   write(path, [&](std::ostream& out) { out << bytes; });
   shared_.emplace(identity, hash);
   return true;

@@ -7,6 +7,9 @@
 #include <cerrno>
 
 #ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+// After windows.h, which they need.
 #include <io.h>
 #include <process.h>
 #else
@@ -40,6 +43,18 @@ std::ptrdiff_t read_some(int descriptor, char* to, std::size_t size) {
   return ::_read(descriptor, to, static_cast<unsigned>(std::min(size, largest_read)));
 }
 
+std::string file_number(const std::filesystem::path& path) {
+  const HANDLE file = ::CreateFileW(path.c_str(), 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr,
+                                    OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);  // the flag is for folders
+  if (file == INVALID_HANDLE_VALUE) return {};
+  BY_HANDLE_FILE_INFORMATION of_file = {};
+  const bool is_known = ::GetFileInformationByHandle(file, &of_file) != 0;
+  ::CloseHandle(file);
+  if (!is_known) return {};
+  return std::to_string(of_file.dwVolumeSerialNumber) + ':' + std::to_string(of_file.nFileIndexHigh) + ':' +
+         std::to_string(of_file.nFileIndexLow);
+}
+
 int process_number() { return ::_getpid(); }
 
 #else
@@ -62,6 +77,12 @@ std::ptrdiff_t read_some(int descriptor, char* to, std::size_t size) {
     const ssize_t got = ::read(descriptor, to, std::min(size, largest_read));
     if (got >= 0 || errno != EINTR) return got;
   }
+}
+
+std::string file_number(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return {};
+  return std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino);
 }
 
 int process_number() { return ::getpid(); }

@@ -6,6 +6,7 @@
 
 #include "format/foreign.hh"
 #include "format/format_row.hh"
+#include "whittle/io/path_of.hh"
 
 namespace whittle::io {
 
@@ -27,7 +28,7 @@ bool has_null_byte(std::string_view bytes) { return bytes.substr(0, 1024).find('
 
 std::optional<Format> format_by_name(std::string_view name) {
   try {
-    return format_of(name);
+    return format_of(path_of(name));
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
@@ -38,7 +39,7 @@ std::string advice_on(const std::string& right, const detail::FormatRow& expecte
   const std::optional<Format> named = format_by_name(name);
   if (!named) return "give --format " + right;
   if (*named != expected.format) return "give --input-format " + right;
-  return "rename it to ." + right + (has_gzip_extension(name) ? ".gz" : "");
+  return "rename it to ." + right + (has_gzip_extension(path_of(name)) ? ".gz" : "");
 }
 
 std::string problem_of_other_format(const detail::FormatRow& evident, const detail::FormatRow& expected,

@@ -10,6 +10,7 @@
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/float32_positions.hh"
 #include "whittle/core/wedges.hh"
+#include "whittle/io/path_of.hh"
 
 namespace whittle::io {
 
@@ -18,7 +19,7 @@ namespace {
 Format choose_format(std::string_view name, const ReadOptions& options) {
   if (options.format) return *options.format;
   try {
-    return format_of(std::filesystem::path(name));
+    return format_of(path_of(name));
   } catch (const std::invalid_argument& problem) {
     throw ReadError(std::string(name), problem.what());
   }

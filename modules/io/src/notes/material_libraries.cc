@@ -36,7 +36,7 @@ std::vector<std::filesystem::path> material_libraries(const FileNotes& notes) {
   std::vector<std::filesystem::path> libraries;
   for (const std::string& line : notes.material_libraries) {
     for (const std::string& name : library_names(line)) {
-      libraries.push_back(std::filesystem::path(with_slashes(name)).lexically_normal());
+      libraries.push_back(path_of_reference(name).lexically_normal());
     }
   }
   return libraries;

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "bytes/words.hh"
+#include "whittle/io/path_of.hh"
 
 namespace whittle::io {
 namespace {
@@ -74,14 +75,14 @@ std::string_view texture_name(std::string_view text) {
   return text;
 }
 
-std::string with_slashes(std::string_view name) {
+std::filesystem::path path_of_reference(std::string_view name) {
   std::string path;
   for (const char c : name) {
     const bool is_separator = c == '\\' || c == '/';
     if (!is_separator) path += c;
     if (is_separator && !(path.size() > 1 && path.back() == '/')) path += '/';
   }
-  return path;
+  return path_of(path);
 }
 
 }  // namespace whittle::io

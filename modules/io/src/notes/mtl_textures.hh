@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,7 @@ void for_each_mtl_line(std::string_view text, const Visitor& visit) {
 /// The name of the texture that follows a keyword such as `map_Kd`, without options. \param text after the keyword
 std::string_view texture_name(std::string_view text);
 
-/// A name with "/" between folders: "materials\\images\\a.png" becomes "materials/images/a.png".
-std::string with_slashes(std::string_view name);
+/// The path of a name that has "\\" or "/" between folders: "materials\\images\\a.png" is "materials/images/a.png".
+std::filesystem::path path_of_reference(std::string_view name);
 
 }  // namespace whittle::io

@@ -64,7 +64,7 @@ void read_library(std::string_view text, const fs::path& folder, std::map<std::s
     if (is_same_word(keyword, "kd")) read_diffuse(line, *current);
     if (is_same_word(keyword, "d")) read_opacity(line, *current);
     if (is_same_word(keyword, "map_kd")) {
-      const fs::path file = with_slashes(texture_name(line));
+      const fs::path file = path_of_reference(texture_name(line));
       if (!file.empty()) name_texture((folder / file).lexically_normal(), *current);
     }
   });
@@ -76,7 +76,7 @@ std::vector<fs::path> textures_of(const FileNotes& notes) {
   std::vector<fs::path> textures;
   for (const std::string& line : notes.header_lines) {
     const std::string_view name = texture_of_line(line);
-    if (!name.empty()) textures.push_back(fs::path(with_slashes(name)).lexically_normal());
+    if (!name.empty()) textures.push_back(path_of_reference(name).lexically_normal());
   }
   return textures;
 }

@@ -19,12 +19,12 @@ std::vector<fs::path> referenced_files(const FileNotes& notes, const fs::path& f
   };
   for (const std::string& line : notes.header_lines) {
     const std::string_view name = texture_of_line(line);
-    if (!name.empty()) add(fs::path(with_slashes(name)).lexically_normal());
+    if (!name.empty()) add(path_of_reference(name).lexically_normal());
   }
   for (const fs::path& library : material_libraries(notes)) {
     add(library);
     for (const std::string& texture : mtl_textures(content_of(folder / library).value_or(""))) {
-      add((library.parent_path() / with_slashes(texture)).lexically_normal());
+      add((library.parent_path() / path_of_reference(texture)).lexically_normal());
     }
   }
   return files;

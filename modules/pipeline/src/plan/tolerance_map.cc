@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "whittle/io/errors.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/pipeline/values.hh"
 #include "whittle/scene/errors.hh"
 
@@ -47,7 +48,7 @@ std::vector<double> tolerances_of_file(const io::ReadResult& read, const std::st
 }
 
 std::vector<double> read_tolerance_map(const std::string& path, const io::ReadResult& read, double diagonal) {
-  std::ifstream file(path);
+  std::ifstream file(io::path_of(path));
   if (!file) throw io::ReadError(path, std::strerror(errno));
   std::vector<double> of_file;
   std::uint64_t n_lines = 0;

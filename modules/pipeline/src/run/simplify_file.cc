@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "whittle/io/path_of.hh"
 #include "whittle/scene/read_scene.hh"
 #include "whittle/scene/write_scene.hh"
 
@@ -25,7 +26,8 @@ FileRun simplify_file(const std::string& input, const std::string& output, Reque
                       const RunObserver& observer) {
   const SceneFormat* const by_name = format_by_name(output);
   request.output.path = output;
-  request.output.format = by_name != nullptr ? by_name : &format_of(io::format_of(output));  // which says what is wrong
+  request.output.format =
+      by_name != nullptr ? by_name : &format_of(io::format_of(io::path_of(output)));  // which says what is wrong
   request.reading.scope = scope_for(request.output.format, request.keeps_attributes);
   request.reading.takes_no_triangles = request.reading.scope == SceneScope::meshes;
   FileRun file_run;

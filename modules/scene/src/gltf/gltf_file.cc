@@ -14,6 +14,7 @@
 #include "whittle/core/text/text.hh"
 #include "whittle/core/transform.hh"
 #include "whittle/io/errors.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/io/repair.hh"
 
 namespace whittle {
@@ -97,8 +98,9 @@ bool shows_meshes(const gltf::Asset& asset) {
 }  // namespace
 
 void write_asset(io::OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress) {
-  for (const gltf::AssetFile& file : asset.files(path, {.compress = compress})) {
-    if (file.path == path) {
+  const std::filesystem::path main = io::path_of(path);
+  for (const gltf::AssetFile& file : asset.files(main, {.compress = compress})) {
+    if (file.path == main) {
       files.write(path, [&](std::ostream& out) { out << file.bytes; });
     } else {
       files.write_with_folders(file.path.string(), file.bytes);

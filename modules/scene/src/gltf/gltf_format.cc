@@ -6,6 +6,7 @@
 #include "gltf/new_gltf.hh"
 #include "whittle/core/float32_positions.hh"
 #include "whittle/core/text/text.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/scene/errors.hh"
 #include "whittle/scene/gltf_asset.hh"
 #include "whittle/scene/read_scene.hh"
@@ -23,7 +24,7 @@ GltfFile& document_of(const Scene& scene) { return static_cast<GltfFile&>(*scene
 Scene read_gltf(const SceneFile& file, const SceneReadOptions& options) {
   Scene scene;
   scene.format = &gltf_format;
-  const auto document = std::make_shared<GltfFile>(file.path());
+  const auto document = std::make_shared<GltfFile>(io::path_of(file.path()));
   scene.document = document;
   scene.read = document->read({.weld = options.weld, .threads = options.threads, .attributes = options.attributes},
                               options.scope);

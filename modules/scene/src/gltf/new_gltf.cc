@@ -17,6 +17,7 @@
 #include "whittle/gltf/make_asset.hh"
 #include "whittle/io/file_notes.hh"
 #include "whittle/io/materials.hh"
+#include "whittle/io/path_of.hh"
 
 namespace whittle {
 namespace {
@@ -137,7 +138,7 @@ void write_new_gltf(io::OutputFiles& files, const SceneOutput& output, const Sce
   // For all that is made of an input the same, if it is there.
   if (!scene.read.mesh.positions.empty()) asset.translation = float32_origin(scene.read.mesh.positions);
   asset.name = scene.mesh_name;
-  asset.embeds_images = fs::path(output.path).extension() != ".gltf";
+  asset.embeds_images = io::path_of(output.path).extension() != ".gltf";
   Looks looks = looks_of(scene, asset.mesh);
   for (const std::string& problem : problems_of(looks, asset.mesh)) {
     messages.warnings.push_back(about(output.path, problem));

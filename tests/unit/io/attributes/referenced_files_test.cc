@@ -24,9 +24,9 @@ TEST(MtlTextures, FindsNamesAfterOptions) {
 }
 
 TEST(MtlTextures, MakesOneSeparatorOfAll) {
-  EXPECT_EQ(with_slashes("materials\\\\images\\a b.png"), "materials/images/a b.png");
-  EXPECT_EQ(with_slashes(".\\a.jpg"), "./a.jpg");
-  EXPECT_EQ(with_slashes("/home/a//b.jpg"), "/home/a/b.jpg");
+  EXPECT_EQ(path_of_reference("materials\\\\images\\a b.png"), "materials/images/a b.png");
+  EXPECT_EQ(path_of_reference(".\\a.jpg"), "./a.jpg");
+  EXPECT_EQ(path_of_reference("/home/a//b.jpg"), "/home/a/b.jpg");
 }
 
 TEST(TextureLines, FindsNames) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "whittle/io/errors.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/io/whole_file.hh"
 
 namespace whittle::app {
@@ -60,7 +61,7 @@ std::string did_text(const std::string& verb, Counts counts) {
 }  // namespace
 
 Json read_report_of_simplify(const std::string& path) {
-  Json json = Json::parse(io::read_file(path, path), nullptr, false);
+  Json json = Json::parse(io::read_file(io::path_of(path), path), nullptr, false);
   if (!json.is_object()) throw io::ReadError(path, "is no report: its text is no JSON object");
   if (runs_of(json).empty()) throw io::ReadError(path, "is no report of a run: 'simplify --json' writes such");
   return json;

@@ -49,6 +49,6 @@ std::string why_no_faces(const io::ReadResult& read);
 void flip_texcoords(IndexedMesh& mesh);
 
 /// The folder of a file.
-std::filesystem::path folder_of(const std::filesystem::path& file);
+std::filesystem::path folder_of(const std::string& path);
 
 }  // namespace whittle
