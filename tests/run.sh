@@ -34,7 +34,9 @@ configure_by() {
     quietly "$logs/configure-$2.log" cmake --preset "$3" -B "build/$2" "${cached[@]}" "${@:4}"
 }
 configure_release() { configure_by "$for_gcc" release release -DWHITTLE_UNITY_TESTS=ON; }
-configure_clang() { configure_by "$for_clang" "$@" -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_UNITY_BUILD=ON; }
+configure_clang() {
+  configure_by "$for_clang" "$@" -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0
+}
 build() { quietly "$logs/build-$1.log" cmake --build "build/$1" --parallel "$jobs"; }
 
 check_format() {
@@ -109,7 +111,7 @@ step "Doxygen: the site of pages and reference, warnings are errors"
 quietly "$logs/docs.log" cmake --build --preset docs
 
 step "clang-tidy on the modules and the program, Clang's own warnings among its checks"
-configure_clang tidy dev -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DWHITTLE_BUILD_TESTS=OFF
+configure_clang tidy dev -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DWHITTLE_BUILD_TESTS=OFF
 quietly "$logs/tidy.log" check_tidy
 
 # Without the program: it takes long to build and has few pointers. As a subfolder of another project, so that this is

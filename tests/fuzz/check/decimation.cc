@@ -244,7 +244,7 @@ bool is_thin_at(const IndexedMesh& mesh, const VertexPair& edge) {
   });
 }
 
-std::string text_of(const VertexPair& edge) {
+std::string edge_text(const VertexPair& edge) {
   return ": edge " + std::to_string(edge.a) + ' ' + std::to_string(edge.b);
 }
 
@@ -265,13 +265,13 @@ void check_features(const DecimateCase& c, const Decimation& d, const metrics::T
   const bool hides_folds = has_thin_face(c.mesh, [](const Triangle&) { return true; });
   for (const VertexPair& edge : feature_edges(d.mesh, angle_deg + rounding_deg)) {
     require(hides_folds || std::binary_search(features.begin(), features.end(), edge) || is_thin_at(d.mesh, edge),
-            "no other edges get sharp", text_of(edge));
+            "no other edges get sharp", edge_text(edge));
   }
   if (!c.options.feature_edges.empty() || !seam_edges(c.mesh).empty()) return;  // those may be flat
   const std::vector<VertexPair> sharp = feature_edges(d.mesh, std::max(0.0, angle_deg - rounding_deg));
   for (const VertexPair& edge : features) {
     require(std::binary_search(sharp.begin(), sharp.end(), edge) || is_thin_at(d.mesh, edge), "features stay sharp",
-            text_of(edge));
+            edge_text(edge));
   }
 }
 

@@ -324,14 +324,14 @@ std::vector<Case> shapes_of(bool is_slow) {
   return shapes;
 }
 
-std::string name_of(const testing::TestParamInfo<Case>& test) {
+std::string name_of_case(const testing::TestParamInfo<Case>& test) {
   std::string name = test.param.name;
   std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, ContractionOrder, testing::ValuesIn(shapes_of(false)), name_of);
-INSTANTIATE_TEST_SUITE_P(SlowShapes, ContractionOrder, testing::ValuesIn(shapes_of(true)), name_of);
+INSTANTIATE_TEST_SUITE_P(Shapes, ContractionOrder, testing::ValuesIn(shapes_of(false)), name_of_case);
+INSTANTIATE_TEST_SUITE_P(SlowShapes, ContractionOrder, testing::ValuesIn(shapes_of(true)), name_of_case);
 
 }  // namespace
 }  // namespace whittle::test

@@ -8,18 +8,27 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/io/read.hh"
+#include "whittle/io/write.hh"
 
 namespace whittle::io::test {
 
 inline ReadResult read(std::string_view bytes, std::string_view name, bool weld = true,
                        AttributeScope attributes = AttributeScope::all) {
   return read_mesh(std::span<const char>(bytes.data(), bytes.size()), name, {.weld = weld, .attributes = attributes});
+}
+
+/// The bytes of a file.
+inline std::string written(const IndexedMesh& mesh, Format format, const WriteOptions& options = {}) {
+  std::ostringstream out;
+  write_mesh(out, format, mesh, options);
+  return out.str();
 }
 
 /// With normals and colours of vertices alone.

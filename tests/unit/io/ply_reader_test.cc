@@ -15,11 +15,11 @@ using test::error_of;
 using test::expect_error;
 using test::read;
 
-const std::string ascii = "ply\nformat ascii 1.0\n";
+const std::string ascii_start = "ply\nformat ascii 1.0\n";
 const std::string three_vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string one_face = "element face 1\nproperty list uchar int vertex_indices\n";
 const std::string end = "end_header\n";
-const std::string triangle = ascii + three_vertices + one_face + end + "0 0 0.5\n1 0 0\n0 1 0\n3 0 1 2\n";
+const std::string triangle = ascii_start + three_vertices + one_face + end + "0 0 0.5\n1 0 0\n0 1 0\n3 0 1 2\n";
 
 TEST(PlyReader, ReadsText) {
   const ReadResult result = read(triangle, "a.ply");
@@ -34,14 +34,15 @@ TEST(PlyReader, TakesNamesInUpperCaseWhereNoOtherPropertyHasThem) {
       "property float X\nproperty float Y\nproperty float Z\nproperty uchar Red\n"
       "property uchar Green\nproperty uchar Blue\n";
   const std::string rows = "0 0 0.5 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n3 0 1 2\n";
-  const ReadResult result = read(cat(ascii, "element vertex 3\n", names, one_face, end, rows), "a.ply");
+  const ReadResult result = read(cat(ascii_start, "element vertex 3\n", names, one_face, end, rows), "a.ply");
   EXPECT_EQ(result.mesh.positions[0], Vec3(0, 0, 0.5));
   ASSERT_EQ(result.mesh.colors.size(), 3U);
   EXPECT_EQ(result.mesh.colors[0], (Color{1, 0, 0, 1}));
   EXPECT_TRUE(result.mesh.attributes.empty());
 
   const std::string both = cat(three_vertices, "property float X\n");
-  const ReadResult apart = read(cat(ascii, both, one_face, end, "0 0 0.5 7\n1 0 0 8\n0 1 0 9\n3 0 1 2\n"), "a.ply");
+  const ReadResult apart =
+      read(cat(ascii_start, both, one_face, end, "0 0 0.5 7\n1 0 0 8\n0 1 0 9\n3 0 1 2\n"), "a.ply");
   EXPECT_EQ(apart.mesh.positions[1], Vec3(1, 0, 0));
   ASSERT_EQ(apart.mesh.attributes.size(), 1U);
   EXPECT_EQ(apart.mesh.attributes[0].name, "X");
@@ -107,7 +108,7 @@ TEST(PlyReader, ReadsListsOfEveryTypeInBothByteOrders) {
 }
 
 TEST(PlyReader, TakesPropertiesInAnyOrderAndElementsToo) {
-  const ReadResult result = read(ascii + one_face +
+  const ReadResult result = read(ascii_start + one_face +
                                      "element vertex 3\nproperty uchar blue\nproperty float z\nproperty double y\n"
                                      "property uchar red\nproperty int x\nproperty uchar green\n" +
                                      end + "3 0 1 2\n51 5 0 255 1 0\n0 0 1 0 0 0\n0 0 0 0 0 0\n",
@@ -125,7 +126,7 @@ TEST(PlyReader, CarriesNormalsAndColorsOfEveryScale) {
            " alpha\n";
   };
   const auto color_of = [&](const std::string& type, const std::string& values) {
-    const ReadResult result = read(ascii + positions + normals + colors(type) + one_face + end + "0 0 0 0 0 4 " +
+    const ReadResult result = read(ascii_start + positions + normals + colors(type) + one_face + end + "0 0 0 0 0 4 " +
                                        values + "\n1 0 0 0 1 0 0 0 0 0\n0 1 0 0 0 0 0 0 0 0\n3 0 1 2\n",
                                    "a.ply");
     EXPECT_EQ(result.mesh.normals[0], (std::array<float, 3>{0, 0, 1}));
@@ -141,7 +142,7 @@ TEST(PlyReader, CarriesNormalsAndColorsOfEveryScale) {
 
 TEST(PlyReader, NamesPropertiesAndElementsItDoesNotCarry) {
   const std::string ply =
-      ascii + "comment made up\nobj_info none\n" + three_vertices +
+      ascii_start + "comment made up\nobj_info none\n" + three_vertices +
       "property float confidence\nproperty uchar red\nproperty list uchar float extra\n" + one_face +
       "property uchar flags\nproperty list uchar float texcoord\nproperty list uchar int holes\nelement edge 2\n"
       "property int vertex1\nproperty int vertex2\nelement nothing 0\nproperty int a\nelement empty 9\n" +
@@ -158,9 +159,9 @@ TEST(PlyReader, NamesPropertiesAndElementsItDoesNotCarry) {
 TEST(PlyReader, RoundsTextToTheDeclaredType) {
   const std::string rest =
       "element face 1\nproperty list uchar int vertex_indices\n" + end + "0.1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  EXPECT_EQ(read(ascii + three_vertices + rest, "a.ply").mesh.positions[0].x(), static_cast<double>(0.1F));
+  EXPECT_EQ(read(ascii_start + three_vertices + rest, "a.ply").mesh.positions[0].x(), static_cast<double>(0.1F));
   const std::string doubles = "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n";
-  EXPECT_EQ(read(ascii + doubles + rest, "a.ply").mesh.positions[0].x(), 0.1);
+  EXPECT_EQ(read(ascii_start + doubles + rest, "a.ply").mesh.positions[0].x(), 0.1);
 }
 
 TEST(PlyReader, ReadsTriangleStripsWithRestarts) {
@@ -168,7 +169,8 @@ TEST(PlyReader, ReadsTriangleStripsWithRestarts) {
   const std::string positions = "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
   const std::vector<Triangle> expected = {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}, {0, 2, 5}};
   const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
-  const ReadResult text = read(ascii + vertices + strips + end + positions + "11 0 1 2 3 4 5 -1\n0 2 5 -1\n", "a.ply");
+  const ReadResult text =
+      read(ascii_start + vertices + strips + end + positions + "11 0 1 2 3 4 5 -1\n0 2 5 -1\n", "a.ply");
   EXPECT_EQ(text.mesh.faces, expected);
   EXPECT_EQ(text.file_faces, 5U);
 
@@ -187,7 +189,7 @@ TEST(PlyReader, GivesTolerancesAsStored) {
       "element vertex 4\nproperty float x\nproperty double tolerance\nproperty float y\nproperty float z\n" + one_face +
       end;
   const std::vector<double> expected{0.5, 1e-300, 0, -2};
-  const std::string text = ascii + header + "0 0.5 0 0\n1 1e-300 0 0\n0 0 1 0\n9 -2 9 9\n3 0 1 2\n";
+  const std::string text = ascii_start + header + "0 0.5 0 0\n1 1e-300 0 0\n0 0 1 0\n9 -2 9 9\n3 0 1 2\n";
   EXPECT_EQ(read(text, "a.ply").tolerances, expected);
   for (const std::endian order : {std::endian::little, std::endian::big}) {
     const std::string format = order == std::endian::little ? "binary_little_endian" : "binary_big_endian";
@@ -202,9 +204,10 @@ TEST(PlyReader, GivesTolerancesAsStored) {
 
 TEST(PlyReader, TakesEqualVerticesInAStripForItsSeams) {
   const std::string vertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
-  const ReadResult result = read(ascii + vertices + "element tristrips 1\nproperty list int int vertex_indices\n" +
-                                     end + "0 0 0\n1 0 0\n0 1 0\n0 0 1\n8 0 1 2 2 0 0 2 3\n",
-                                 "a.ply");
+  const ReadResult result =
+      read(ascii_start + vertices + "element tristrips 1\nproperty list int int vertex_indices\n" + end +
+               "0 0 0\n1 0 0\n0 1 0\n0 0 1\n8 0 1 2 2 0 0 2 3\n",
+           "a.ply");
   EXPECT_EQ(result.mesh.faces, (std::vector<Triangle>{{0, 1, 2}, {2, 0, 3}}));
   EXPECT_EQ(result.repairs.degenerate_faces, 0U);
 }
@@ -223,27 +226,29 @@ TEST(PlyReader, RejectsBadHeadersByLine) {
   const std::string rest = three_vertices + one_face + end;
   expect_error("ply\n" + rest, "a.ply", "a.ply:8: the header has no format line");
   expect_error("ply\nformat binary 1.0\n" + rest, "a.ply", "a.ply:2: unknown format \"binary\"");
-  expect_error(ascii + "property float x\n" + rest, "a.ply", "a.ply:3: a property before any element");
-  expect_error(ascii + "elements vertex 3\n" + rest, "a.ply", "a.ply:3: unknown word \"elements\" in the header");
-  expect_error(ascii + "element vertex -3\n", "a.ply", "a.ply:3: the number of vertex elements is negative");
-  expect_error(ascii + "element vertex x\n", "a.ply", "a.ply:3: the number of vertex elements expected, found \"x\"");
-  expect_error(ascii + "element vertex 3\nproperty quad x\n", "a.ply",
+  expect_error(ascii_start + "property float x\n" + rest, "a.ply", "a.ply:3: a property before any element");
+  expect_error(ascii_start + "elements vertex 3\n" + rest, "a.ply", "a.ply:3: unknown word \"elements\" in the header");
+  expect_error(ascii_start + "element vertex -3\n", "a.ply", "a.ply:3: the number of vertex elements is negative");
+  expect_error(ascii_start + "element vertex x\n", "a.ply",
+               "a.ply:3: the number of vertex elements expected, found \"x\"");
+  expect_error(ascii_start + "element vertex 3\nproperty quad x\n", "a.ply",
                "a.ply:4: a property type expected, found \"quad\"");
-  expect_error(ascii + "element vertex 3\nproperty float\n", "a.ply", "a.ply:4: a property without a name");
-  expect_error(ascii + three_vertices + three_vertices, "a.ply", "a.ply:7: element vertex is declared twice");
-  expect_error(ascii + three_vertices, "a.ply", "a.ply:7: the header has no end_header; the file is truncated");
+  expect_error(ascii_start + "element vertex 3\nproperty float\n", "a.ply", "a.ply:4: a property without a name");
+  expect_error(ascii_start + three_vertices + three_vertices, "a.ply", "a.ply:7: element vertex is declared twice");
+  expect_error(ascii_start + three_vertices, "a.ply", "a.ply:7: the header has no end_header; the file is truncated");
 }
 
 TEST(PlyReader, RejectsMissingProperties) {
-  expect_error(ascii + "element vertex 3\nproperty float x\nproperty float y\n" + one_face + end + "0 0\n1 0\n0 1\n",
-               "a.ply", "a.ply:9: vertices need the properties x, y and z; the header lacks one");
-  expect_error(ascii + three_vertices + "element face 1\nproperty list uchar int corners\n" + end +
+  expect_error(
+      ascii_start + "element vertex 3\nproperty float x\nproperty float y\n" + one_face + end + "0 0\n1 0\n0 1\n",
+      "a.ply", "a.ply:9: vertices need the properties x, y and z; the header lacks one");
+  expect_error(ascii_start + three_vertices + "element face 1\nproperty list uchar int corners\n" + end +
                    "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
                "a.ply", "a.ply:12: elements \"face\" have no list vertex_indices");
 }
 
 TEST(PlyReader, RejectsWrongTextByLine) {
-  const std::string header = ascii + three_vertices + one_face + end;
+  const std::string header = ascii_start + three_vertices + one_face + end;
   expect_error(header + "0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n", "a.ply", "a.ply:11: a coordinate is not finite");
   expect_error(header + "0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "a.ply",
                "a.ply:11: the line ends where a vertex property should be");
@@ -299,19 +304,20 @@ TEST(PlyReader, RejectsAbsurdCountsBeforeItAllocates) {
 }
 
 TEST(PlyReader, RejectsMoreElementsThanAMeshCanHave) {
-  expect_error(ascii + "element vertex 5000000000\n", "a.ply",
+  expect_error(ascii_start + "element vertex 5000000000\n", "a.ply",
                "a.ply:3: the number of vertex elements is 5000000000, more than the 4294967295 a mesh can have");
 }
 
 TEST(PlyReader, SkipsElementsWithoutPropertiesHoweverMany) {
-  const ReadResult result = read(ascii + three_vertices + one_face + "element ghost 9000000000000000000\n" + end +
+  const ReadResult result = read(ascii_start + three_vertices + one_face + "element ghost 9000000000000000000\n" + end +
                                      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
                                  "a.ply");
   EXPECT_EQ(result.mesh.faces.size(), 1U);
 }
 
 TEST(PlyReader, LetsListsGoOverSeveralLines) {
-  const ReadResult result = read(ascii + three_vertices + one_face + end + "0 0 0\n1 0 0\n0 1 0\n3 0\n1\n2\n", "a.ply");
+  const ReadResult result =
+      read(ascii_start + three_vertices + one_face + end + "0 0 0\n1 0 0\n0 1 0\n3 0\n1\n2\n", "a.ply");
   EXPECT_EQ(result.mesh.faces[0], (Triangle{0, 1, 2}));
 }
 

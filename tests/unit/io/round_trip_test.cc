@@ -14,6 +14,7 @@
 namespace whittle::io {
 namespace {
 
+using test::written;
 using whittle::test::Random;
 
 // Doubles of every size: denormals, huge numbers, whole numbers, −0.
@@ -68,12 +69,6 @@ void add_attributes(IndexedMesh& mesh, std::uint64_t seed, bool bytes) {
     }
     mesh.colors.push_back(color);
   }
-}
-
-std::string written(const IndexedMesh& mesh, Format format, const WriteOptions& options = {}) {
-  std::ostringstream out;
-  write_mesh(out, format, mesh, options);
-  return out.str();
 }
 
 // Whether the writer reports a loss.

@@ -13,16 +13,16 @@ namespace whittle::metrics {
 namespace {
 
 using test::Random;
-__extension__ using Wide = __int128;
+__extension__ using Int128 = __int128;
 using IntegerPoint = std::array<std::int64_t, 3>;
 
-int sign(Wide x) { return (x > 0) - (x < 0); }
+int sign(Int128 x) { return (x > 0) - (x < 0); }
 
 int exact_orient3d(const IntegerPoint& a, const IntegerPoint& b, const IntegerPoint& c, const IntegerPoint& d) {
-  std::array<std::array<Wide, 3>, 3> m{};
+  std::array<std::array<Int128, 3>, 3> m{};
   const std::array<const IntegerPoint*, 3> rows{&a, &b, &c};
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) m[i][j] = Wide{(*rows[i])[j]} - d[j];
+    for (std::size_t j = 0; j < 3; ++j) m[i][j] = Int128{(*rows[i])[j]} - d[j];
   }
   return sign(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
@@ -89,7 +89,7 @@ TEST(Predicates, Orient2dIsExactNearALine) {
   // place around (0.5, 0.5), against the line through (12, 12) and (24, 24). In units of 2^-53 all are integers.
   const auto exact = [](std::int64_t px, std::int64_t py) {
     const std::int64_t one = std::int64_t{1} << 53;
-    const Wide q = Wide{12} * one, r = Wide{24} * one;
+    const Int128 q = Int128{12} * one, r = Int128{24} * one;
     return sign((q - px) * (r - py) - (q - py) * (r - px));
   };
   const Vec3 q(12, 12, 0), r(24, 24, 0);

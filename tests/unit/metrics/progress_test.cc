@@ -8,7 +8,7 @@
 namespace whittle::metrics {
 namespace {
 
-const IndexedMesh& reference() {
+const IndexedMesh& noisy() {
   static const IndexedMesh mesh = test::noisy_sphere(5, 0.05, 1);
   return mesh;
 }
@@ -35,28 +35,28 @@ int run_and_cancel(const Task& task) {
 }
 
 TEST(MetricsProgress, IsReportedAndMayCancelDistances) {
-  const SurfaceDistance expected = surface_distance(reference(), other(), {.samples = 50'000});
+  const SurfaceDistance expected = surface_distance(noisy(), other(), {.samples = 50'000});
   for (const unsigned threads : {1U, 2U}) {
     const int n_reports = run_and_cancel([&](const ProgressCallback& progress) {
       const DistanceOptions options{.samples = 50'000, .threads = threads, .progress = progress};
-      EXPECT_EQ(surface_distance(reference(), other(), options).mean, expected.mean);
+      EXPECT_EQ(surface_distance(noisy(), other(), options).mean, expected.mean);
     });
     EXPECT_GE(n_reports, 4);
   }
 }
 
 TEST(MetricsProgress, IsReportedAndMayCancelIntersections) {
-  const auto expected = self_intersections(reference(), 1);
+  const auto expected = self_intersections(noisy(), 1);
   EXPECT_GE(run_and_cancel([&](const ProgressCallback& progress) {
-              EXPECT_EQ(self_intersections(reference(), 2, progress), expected);
+              EXPECT_EQ(self_intersections(noisy(), 2, progress), expected);
             }),
             3);
 }
 
 TEST(MetricsProgress, IsReportedAndMayCancelNearestVertices) {
-  const auto expected = nearest_vertices(reference(), other(), 1);
+  const auto expected = nearest_vertices(noisy(), other(), 1);
   EXPECT_GE(run_and_cancel([&](const ProgressCallback& progress) {
-              EXPECT_EQ(nearest_vertices(reference(), other(), 2, progress), expected);
+              EXPECT_EQ(nearest_vertices(noisy(), other(), 2, progress), expected);
             }),
             3);
 }

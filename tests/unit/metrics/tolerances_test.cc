@@ -19,7 +19,7 @@ using namespace metrics;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Case {
   IndexedMesh first;
@@ -36,7 +36,7 @@ struct Case {
   double excess_of_first(Index face, const Vec3& point) const { return distance_to_all(second, point) - limit(face); }
   /// How much farther a point is from each face of the first surface than that allows, at least.
   double excess_of_second(const Vec3& point) const {
-    double least = infinity;
+    double least = infinite;
     for (Index f = 0; f < first.faces.size(); ++f) {
       least = std::min(least, distance_to_triangle(corners_of(first, f), point) - limit(f));
     }
@@ -52,7 +52,7 @@ Vec3 random_point(const Corners& corners, Random& random) {
 }
 
 double largest_excess(const Case& c, Random& random) {
-  double most = -infinity;
+  double most = -infinite;
   for (int i = 0; i < 40; ++i) {
     for (Index f = 0; f < c.first.faces.size(); ++f) {
       most = std::max(most, c.excess_of_first(f, random_point(corners_of(c.first, f), random)));
@@ -123,8 +123,8 @@ TEST(Tolerances, AreRefusedWhereTheyDoNotFit) {
   const IndexedMesh mesh = cube();
   std::vector<double> tolerances(mesh.positions.size(), 1);
   EXPECT_EQ(certify(mesh, mesh, 1, {.tolerances = tolerances}).verdict, Verdict::proven);
-  EXPECT_THROW(certify(mesh, mesh, infinity, {.tolerances = tolerances}), std::invalid_argument);
-  tolerances[3] = infinity;
+  EXPECT_THROW(certify(mesh, mesh, infinite, {.tolerances = tolerances}), std::invalid_argument);
+  tolerances[3] = infinite;
   EXPECT_EQ(certify(mesh, mesh, 1, {.tolerances = tolerances}).verdict, Verdict::proven);
   for (const double wrong : {0.0, -1.0, std::nan("")}) {
     tolerances[3] = wrong;
@@ -147,7 +147,7 @@ TEST(Tolerances, CountInTheSearchOfFaces) {
     tree.set_offsets(offsets);
     for (int k = 0; k < 20; ++k) {
       const Vec3 point = random.uniform_vector(-1.5, 1.5);
-      double expected = infinity;
+      double expected = infinite;
       for (Index f = 0; f < mesh.faces.size(); ++f) {
         expected = std::min(expected, distance_to_triangle(corners_of(mesh, f), point) + offsets[f]);
       }

@@ -330,8 +330,8 @@ TEST(ModFlipGuard, TheToleranceFactorScalesTheAngle) {
 }
 
 /// A hexagonal fan around vertex 0 in the plane, and the collapse of its edge 0 → 1.
-struct Fan {
-  Fan() {
+struct FlatFan {
+  FlatFan() {
     const VertexHandle center = mesh.add_vertex({0, 0, 0});
     for (int i = 0; i < 6; ++i) {
       const double angle = i * std::numbers::pi / 3;
@@ -348,7 +348,7 @@ struct Fan {
 };
 
 TEST(ModFlipGuard, WithoutAPlacementV1KeepsItsPlace) {
-  Fan fan;
+  FlatFan fan;
   ModFlipGuardT<DoubleMesh> guard(fan.mesh);
   EXPECT_GE(guard.collapse_priority(fan.collapse(0, 1)), 0) << "a flat convex fan collapses onto its rim";
   fan.mesh.set_point(VertexHandle(2), {0.2, 0.1, 0});  // a notch: now 0 → 1 flips the face (0, 2, 3)

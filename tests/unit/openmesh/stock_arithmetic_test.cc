@@ -14,14 +14,14 @@
 namespace whittle::test {
 namespace {
 
-struct Run {
+struct StockRun {
   std::vector<Collapse> collapses;
   IndexedMesh mesh;
 };
 
 /// \param prepare called with the cost module before it is initialized
 template <template <class> class CostModuleT, class MeshT, class Prepare>
-Run decimate_by_stock(MeshT mesh, std::size_t n_faces, const Prepare& prepare) {
+StockRun decimate_by_stock(MeshT mesh, std::size_t n_faces, const Prepare& prepare) {
   OpenMesh::Decimater::DecimaterT<MeshT> decimater(mesh);
   typename CostModuleT<MeshT>::Handle cost;
   typename ModCollapsesT<MeshT>::Handle recorder;
@@ -34,7 +34,7 @@ Run decimate_by_stock(MeshT mesh, std::size_t n_faces, const Prepare& prepare) {
 }
 
 template <class MeshT>
-Run by_quadric_module(const MeshT& mesh, std::size_t n_faces, double max_cost) {
+StockRun by_quadric_module(const MeshT& mesh, std::size_t n_faces, double max_cost) {
   const auto prepare = [&](auto& module) {
     if (max_cost > 0) module.set_max_err(max_cost, false);
   };
@@ -42,7 +42,7 @@ Run by_quadric_module(const MeshT& mesh, std::size_t n_faces, double max_cost) {
 }
 
 template <class MeshT>
-Run by_our_module(const MeshT& mesh, std::size_t n_faces, double max_cost) {
+StockRun by_our_module(const MeshT& mesh, std::size_t n_faces, double max_cost) {
   const auto prepare = [&](auto& module) {
     module.set_arithmetic(Arithmetic::stock);
     if (max_cost > 0) module.set_max_cost(max_cost);
@@ -66,8 +66,8 @@ std::vector<std::size_t> expect_same_collapses(const MeshT& mesh, std::size_t n_
   const double some_cost = 1e-4 * size * size * area_of_a_face;
   std::vector<std::size_t> n_collapses;
   for (const double max_cost : {0.0, some_cost}) {
-    const Run expected = by_quadric_module(mesh, n_faces, max_cost);
-    const Run actual = by_our_module(mesh, n_faces, max_cost);
+    const StockRun expected = by_quadric_module(mesh, n_faces, max_cost);
+    const StockRun actual = by_our_module(mesh, n_faces, max_cost);
     const auto [e, a] = std::mismatch(expected.collapses.begin(), expected.collapses.end(), actual.collapses.begin(),
                                       actual.collapses.end());
     EXPECT_TRUE(e == expected.collapses.end() && a == actual.collapses.end())

@@ -66,12 +66,6 @@ inline void expect_same_notes(const FileNotes& a, const FileNotes& b, const std:
   EXPECT_EQ(a.color_type, b.color_type) << what;
 }
 
-inline std::string written(const IndexedMesh& mesh, Format format, const WriteOptions& options = {}) {
-  std::ostringstream out;
-  write_mesh(out, format, mesh, options);
-  return out.str();
-}
-
 inline std::vector<std::string> warnings_of(const IndexedMesh& mesh, Format format, const WriteOptions& options = {}) {
   std::ostringstream out;
   return write_mesh(out, format, mesh, options).warnings;
