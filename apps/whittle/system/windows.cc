@@ -1,4 +1,7 @@
 #define WIN32_LEAN_AND_MEAN
+#ifndef NOMINMAX  // MinGW's headers of C++ define it, too
+#define NOMINMAX
+#endif
 #include <windows.h>
 // After windows.h, which they need.
 #include <fcntl.h>
