@@ -27,7 +27,7 @@ fi
 get_dragon "$work" >"$work/dragon.log" 2>&1 &
 dragon=$!
 
-say "Building the program (preset demo; some four minutes on two processors the first time)"
+say "Building the program (preset demo; two to four minutes on two processors the first time)"
 quietly "$work/configure.log" cmake --preset demo
 quietly "$work/build.log" cmake --build --preset demo
 

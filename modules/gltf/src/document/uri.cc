@@ -1,6 +1,7 @@
 #include "document/uri.hh"
 
 #include "whittle/core/bytes/base64.hh"
+#include "whittle/io/path_of.hh"
 
 namespace whittle::gltf {
 namespace {
@@ -50,7 +51,7 @@ std::optional<std::filesystem::path> file_of_uri(std::string_view uri) {
   if (uri.empty() || (colon != std::string_view::npos && colon < uri.find('/'))) return {};
   const std::string text = unescaped(uri);
   if (text.find('\0') != std::string::npos) return {};
-  std::filesystem::path path(std::u8string(text.begin(), text.end()));
+  std::filesystem::path path = io::path_of(text);
   if (path.is_absolute() || !path.has_filename()) return {};
   return path;
 }
