@@ -21,33 +21,35 @@ Triangle in_ascending_order(Triangle corners) {
 /// Whether the corners are in ascending order, but for where they begin.
 bool is_ascending(const Triangle& face) { return (face[0] < face[1]) + (face[1] < face[2]) + (face[2] < face[0]) == 2; }
 
-/// The same for all faces on the same vertices, seldom for others. \param n_bits of it
-std::size_t hash_of(const Triangle& face, int n_bits) {
-  std::uint64_t sum = 0;
-  for (std::uint64_t v : face) {
-    v = (v + 1) * 0x9e3779b97f4a7c15U;
-    sum += (v ^ (v >> 29)) * 0xbf58476d1ce4e5b9U;
-  }
-  return static_cast<std::size_t>((sum * 0x94d049bb133111ebU) >> (64 - n_bits));
+/// The same for all faces on the same vertices, seldom for others. \param n_bits of it. [1, 32]
+std::uint32_t hash_of(const Triangle& face, int n_bits) {
+  const auto [a, b, c] = std::array<std::uint64_t, 3>{face[0], face[1], face[2]};
+  const std::uint64_t sums = (a + b + c) * 0x9e3779b97f4a7c15U + (a * a + b * b + c * c) * 0xbf58476d1ce4e5b9U;
+  return static_cast<std::uint32_t>(((sums ^ (sums >> 29)) * 0x94d049bb133111ebU) >> (64 - n_bits));
 }
 
 /// Faces with a hash that another face has, too: all that share their vertices with one, and few others.
 std::vector<Index> faces_that_may_coincide(std::span<const Triangle> faces) {
   constexpr std::size_t slots_per_face = 16;
-  const int n_bits = std::max(6, static_cast<int>(std::bit_width(slots_per_face * faces.size())));
-  const std::size_t n_words = (std::size_t{1} << n_bits) / 64;
-  std::vector<std::uint64_t> once(n_words);
-  std::vector<std::uint64_t> twice(n_words);
-  for (const Triangle& face : faces) {
-    const std::size_t hash = hash_of(face, n_bits);
+  const int n_bits = std::clamp(static_cast<int>(std::bit_width(slots_per_face * faces.size())), 6, 32);
+  struct Slots {  // 64 of them: the hashes of one face and more, and of two and more
+    std::uint64_t once = 0;
+    std::uint64_t twice = 0;
+  };
+  std::vector<Slots> slots((std::size_t{1} << n_bits) / 64);
+  std::vector<std::uint32_t> hashes(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const std::uint32_t hash = hash_of(faces[f], n_bits);
+    hashes[f] = hash;
+    auto& [once, twice] = slots[hash / 64];
     const std::uint64_t bit = std::uint64_t{1} << (hash % 64);
-    twice[hash / 64] |= once[hash / 64] & bit;
-    once[hash / 64] |= bit;
+    twice |= once & bit;
+    once |= bit;
   }
   std::vector<Index> found;
   for (Index f = 0; f < faces.size(); ++f) {
-    const std::size_t hash = hash_of(faces[f], n_bits);
-    if (((twice[hash / 64] >> (hash % 64)) & 1U) != 0 && has_three_corners(faces[f])) found.push_back(f);
+    const std::uint32_t hash = hashes[f];
+    if (((slots[hash / 64].twice >> (hash % 64)) & 1U) != 0 && has_three_corners(faces[f])) found.push_back(f);
   }
   return found;
 }

@@ -3,8 +3,18 @@
 #include <algorithm>
 
 namespace whittle {
+namespace {
 
-Block::Block(const WorkingSurface& surface, const Partition& partition, std::size_t number, StageContext context)
+/// Memoryless quadrics do, unless a guard has to look at more than the faces of a pair.
+bool goes_in_rounds(const StageContext& context) {
+  const bool is_memoryless = context.options.effective_cost() == Cost::memoryless;
+  return is_memoryless && context.role == Role::alone && !context.limits.displacement;
+}
+
+}  // namespace
+
+Block::Block(const WorkingSurface& surface, const Partition& partition, std::size_t number, StageContext context,
+             RoundScratchPool& scratch)
     : own_(partition.vertices.of(number)),
       own_faces_(partition.faces.of(number)),
       keeps_order_(context.role == Role::in_exact_order) {
@@ -20,11 +30,27 @@ Block::Block(const WorkingSurface& surface, const Partition& partition, std::siz
     context.areas = {part_.faces, areas_};
   }
   part_.cost_state = state_here(surface);
+  if (!goes_in_rounds(context)) {
+    start_contractor(context);
+    return;
+  }
+  rounds_.emplace(part_, context, scratch);
+  n_inner_ = rounds_->n_inner_vertices();
+  n_frozen_ = rounds_->n_frozen_vertices();
+}
+
+void Block::start_contractor(const StageContext& context) {
   contractor_.emplace(part_, context);
   const TriangleComplex& complex = contractor_->complex();
   for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
     if (complex.has_faces(v)) ++(complex.is_frozen(v) ? n_frozen_ : n_inner_);
   }
+}
+
+void Block::run(double cost) {
+  if (rounds_) return rounds_->run(cost);
+  contractor_->set_cost_limit(cost);
+  result_ = contractor_->run();
 }
 
 /// Vertices keep their order, by which ties between pairs go.
@@ -100,31 +126,56 @@ CostState Block::state_here(const WorkingSurface& surface) const {
 }
 
 void Block::finish(BlockResults& results) {
+  const std::vector<Index> merged_into = rounds_ ? finish_rounds(results) : finish_contractor(results);
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    if (frozen_[v] == 0) results.merged_into[vertices_[v]] = vertices_[merged_into[v]];
+  }
+  for (std::vector<VertexQuadric>* const all : {&part_.cost_state.quadrics, &part_.cost_state.seams}) {
+    for (VertexQuadric& q : *all) q.vertex = survivors_[q.vertex].vertex;
+  }
+  for (auto& [pair, reason] : part_.refusals) pair = {vertices_[pair.a], vertices_[pair.b]};
+  part_.faces = {};
+}
+
+/// Lists the survivors, and writes down which faces are left. \return what each vertex has become
+std::vector<Index> Block::finish_rounds(BlockResults& results) {
+  std::vector<Index> merged_into = rounds_->merged_into();
+  std::vector<Index> left;
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    if (frozen_[v] != 0 || merged_into[v] != v) continue;
+    survivors_.push_back({vertices_[v], rounds_->position(v)});
+    left.push_back(v);
+  }
+  part_.cost_state = rounds_->state(left);
+  for (std::size_t i = 0; i < own_faces_.size(); ++i) {
+    results.is_face_left[own_faces_[i]] = has_three_corners(mapped(part_.faces[i], merged_into));
+  }
+  result_ = rounds_->result();
+  rounds_.reset();
+  return merged_into;
+}
+
+/// As `finish_rounds`.
+std::vector<Index> Block::finish_contractor(BlockResults& results) {
   TriangleComplex& complex = contractor_->complex();
   const std::vector<Index> at = complex.vertices_by_origin();
   std::vector<Index> merged_into(at.size());
   for (Index v = 0; v < at.size(); ++v) merged_into[v] = complex.origin(complex.representative(at[v]));
   std::vector<Index> left;
   for (Index v = 0; v < vertices_.size(); ++v) {
-    if (frozen_[v] != 0) continue;
-    results.merged_into[vertices_[v]] = vertices_[merged_into[v]];
-    if (merged_into[v] != v) continue;
+    if (frozen_[v] != 0 || merged_into[v] != v) continue;
     survivors_.push_back({vertices_[v], complex.position(at[v])});
     left.push_back(at[v]);
   }
   part_.cost_state = contractor_->cost().state(left);
-  for (std::vector<VertexQuadric>* const all : {&part_.cost_state.quadrics, &part_.cost_state.seams}) {
-    for (VertexQuadric& q : *all) q.vertex = survivors_[q.vertex].vertex;
-  }
   if (keeps_order_) part_.refusals = contractor_->refusals();
-  for (auto& [pair, reason] : part_.refusals) pair = {vertices_[pair.a], vertices_[pair.b]};
   std::vector<std::uint8_t> is_left(part_.faces.size());
   for (const Index f : surviving_faces(part_.faces, merged_into, complex)) is_left[f] = 1;
   for (std::size_t i = 0; i < is_left.size(); ++i) results.is_face_left[own_faces_[i]] = is_left[i];
   result_.n_degenerate_faces = complex.n_degenerate_faces();
   result_.n_coincident_faces = complex.n_coincident_faces();
   contractor_.reset();
-  part_.faces = {};
+  return merged_into;
 }
 
 }  // namespace whittle

@@ -5,6 +5,7 @@
 
 #include "blocks/partition.hh"
 #include "loop/contractor.hh"
+#include "rounds/rounds.hh"
 
 namespace whittle {
 
@@ -24,25 +25,26 @@ class Block {
   };
 
   /// \param context of the surface, but options of the block
-  Block(const WorkingSurface& surface, const Partition& partition, std::size_t number, StageContext context);
+  Block(const WorkingSurface& surface, const Partition& partition, std::size_t number, StageContext context,
+        RoundScratchPool& scratch);
 
-  /// Ranks all pairs.
-  void start(const DecimateTarget& target) { contractor_->start(target); }
+  void start(const DecimateTarget& target) { rounds_ ? rounds_->start(target) : contractor_->start(target); }
   /// Contracts what costs at most so much. \param cost in the frame
-  void run(double cost) {
-    contractor_->set_cost_limit(cost);
-    result_ = contractor_->run();
-  }
+  void run(double cost);
+  /// If it goes in rounds: to contract blocks in step; else null.
+  Rounds* rounds() { return rounds_ ? &*rounds_ : nullptr; }
 
   std::size_t n_inner_vertices() const { return n_inner_; }  ///< at the start: those that aren't frozen
-  std::size_t n_inner_vertices_left() const { return n_inner_ - result_.n_contractions; }
+  std::size_t n_inner_vertices_left() const { return n_inner_ - result().n_contractions; }
   std::size_t n_frozen_vertices() const { return n_frozen_; }
-  const DecimateResult& result() const { return result_; }
-  NonmanifoldCounts count_nonmanifold() { return contractor_->complex().count_nonmanifold(); }
+  DecimateResult result() const { return rounds_ ? rounds_->result() : result_; }
+  NonmanifoldCounts count_nonmanifold() {
+    return rounds_ ? rounds_->nonmanifold() : contractor_->complex().count_nonmanifold();
+  }
   /// \return the number that a vertex of the block has in the surface
   Index number_of(Index vertex) const { return vertices_[vertex]; }
 
-  /// Writes down what is left, and frees the complex.
+  /// Writes down what is left, and frees the rest.
   void finish(BlockResults& results);
   const std::vector<Survivor>& survivors() const { return survivors_; }
   /// Theirs, by vertex of the surface.
@@ -51,6 +53,9 @@ class Block {
   const std::vector<GuardedPair>& refusals() const { return part_.refusals; }
 
  private:
+  void start_contractor(const StageContext& context);
+  std::vector<Index> finish_rounds(BlockResults& results);
+  std::vector<Index> finish_contractor(BlockResults& results);
   void gather_refusals(std::span<const GuardedPair> all);
   void gather(const WorkingSurface& surface, const Partition& partition, std::size_t number);
   std::vector<VertexQuadric> quadrics_here(std::span<const VertexQuadric> of_surface) const;
@@ -64,8 +69,10 @@ class Block {
   std::vector<std::uint8_t> locked_;  ///< per vertex of the block, or empty
   std::size_t n_inner_ = 0;
   std::size_t n_frozen_ = 0;
+  // One of the two
   std::optional<Contractor> contractor_;
-  DecimateResult result_;
+  std::optional<Rounds> rounds_;
+  DecimateResult result_;  ///< in the end, or that of the contractor so far
   std::vector<Survivor> survivors_;
   bool keeps_order_;          ///< exactly
   std::vector<Index> areas_;  ///< of the faces, or empty

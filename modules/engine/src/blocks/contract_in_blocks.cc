@@ -49,7 +49,7 @@ bool is_far_flung(const IndexedMesh& mesh) {
 bool run_levels(const LevelContext& context, const BlockPlan& plan, WorkingSurface& surface, StageReport& report) {
   LevelPlan level{plan.faces_per_block, 0.5, Role::alone};
   LevelGoal goal;
-  goal.surplus = plan.surplus;
+  goal.surplus = goes_to_target(context.stage.options, context.input) ? plan.surplus_before_rounds : plan.surplus;
   if (context.stage.limits.displacement) goal.cost = std::numeric_limits<double>::infinity();
   const std::optional<double> cost = run_level(context, level, goal, surface, report);
   if (surface.faces.size() < plan.fewest_faces_again || context.progress.is_cancelled()) return true;
@@ -110,21 +110,33 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   return {};
 }
 
+bool goes_to_target(const DecimateOptions& options, const IndexedMesh& mesh) {
+  return options.effective_cost() == Cost::memoryless && !options.keep_quadrics && !looks_at_attributes(options, mesh);
+}
+
 StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh, const DecimateTarget& target,
                                const BlockPlan& plan, const StageContext& context) {
   const DecimateOptions& options = context.options;
+  const std::size_t n_vertices = surface.positions.size();
+  const std::size_t n_faces = surface.faces.size();
+  SharedProgress progress(options, n_vertices, n_faces, std::min(0.999, target.share_of(n_faces, n_vertices)));
   const double share = std::max(plan.fewest_faces_left / static_cast<double>(plan.faces_per_block),
                                 target.share_of(mesh.faces.size(), mesh.positions.size()));
-  SharedProgress progress(options, mesh.positions.size(), mesh.faces.size(), share);
   const LevelContext level_context{context, mesh, share, progress};
   WorkingSurface left = surface;
-  left.cost_state.face_area = mean_face_area(mesh, context.frame, options.threads);
-  left.cost_state.seams = seam_planes(mesh, context.frame, seam_edges(mesh, face_regions(mesh, options.regions)),
-                                      held_folds(mesh, context.frame, options), options);
   StageReport report;
   if (context.keeps_steps) reserve_large(report.steps.contractions, mesh.positions.size());
-  const bool is_done = is_exact_in_blocks(options) ? run_exact_levels(level_context, plan, left, report)
-                                                   : run_levels(level_context, plan, left, report);
+  bool is_done = true;
+  if (surface.is_input()) {
+    left.cost_state.face_area = mean_face_area(mesh, context.frame, options.threads);
+    left.cost_state.seams = seam_planes(mesh, context.frame, seam_edges(mesh, face_regions(mesh, options.regions)),
+                                        held_folds(mesh, context.frame, options), options);
+    is_done = is_exact_in_blocks(options) ? run_exact_levels(level_context, plan, left, report)
+                                          : run_levels(level_context, plan, left, report);
+  }
+  if (goes_to_target(options, mesh) && !context.limits.displacement && !progress.is_cancelled()) {
+    contract_to_target(level_context, target, left, report);
+  }
   if (is_done) {
     surface = std::move(left);
   } else {

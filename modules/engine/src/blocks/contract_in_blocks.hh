@@ -12,8 +12,9 @@ struct BlockPlan {
   std::size_t fewest_faces = 140000;        ///< smaller meshes are not cut
   std::size_t fewest_faces_again = 262144;  ///< what is left is cut once more, along other borders, if it has so many
   std::size_t faces_per_block = 16384;
-  double fewest_faces_left = 256;  ///< in a block: of fewer, too many would lie at borders
+  double fewest_faces_left = 2048;  ///< in a block: of fewer, too many would lie at borders
   double surplus = 1.4;  ///< how many times as many vertices as the target asks for the blocks leave, borders aside
+  double surplus_before_rounds = 1.2;  ///< the same, if rounds over the whole follow
 
   // In the exact order a block knows the less the smaller it is.
   std::size_t fewest_faces_in_exact_order = 500000;
@@ -34,11 +35,14 @@ inline bool is_exact_in_blocks(const DecimateOptions& options) {
   return cost_traits(options.effective_cost()).goes_in_blocks_exactly;
 }
 
-/// Contracts most of what there is to contract in blocks that fit a cache, on all threads. The rest, down to the
-/// target, is left to a stage over the whole. Nothing depends on the number of threads.
-/// \param surface the input. It stays, and `DecimateResult::why_in_one_pass` says why, if blocks can't do enough
-/// \param context with `StageLimits::displacement`, memoryless quadrics may cost anything
-/// \return `before` has the counts of the input, unless it was cancelled \pre why_not_in_blocks(…).empty()
+/// Whether what blocks leave is contracted in rounds down to the target. Else it is left to a stage that looks at more.
+bool goes_to_target(const DecimateOptions& options, const IndexedMesh& mesh);
+
+/// Contracts most of what there is to contract in blocks that fit a cache, on all threads, and if `goes_to_target` the
+/// rest, too. Nothing depends on the number of threads.
+/// \param surface the input, or what is left of it. It stays, and `DecimateResult::why_in_one_pass` says why, if blocks
+/// can't do enough \param context with `StageLimits::displacement`, memoryless quadrics may cost anything \return
+/// `before` has the counts of the input, unless it was cancelled \pre why_not_in_blocks(…).empty()
 StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh, const DecimateTarget& target,
                                const BlockPlan& plan, const StageContext& context);
 

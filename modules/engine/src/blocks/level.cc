@@ -23,6 +23,19 @@ struct Job {
   ContractionLog log;  ///< if contractions are told
 };
 
+/// Large rounds, as long as much is left to do; then smaller ones, which keep nearer to the order of cost. At last
+/// hardly any pairs matter.
+RoundSize size_of_round(std::uint64_t n_wanted, std::size_t n_left) {
+  constexpr std::uint64_t fewest = 16;
+  const double share_wanted = static_cast<double>(n_wanted) / static_cast<double>(n_left);
+  const auto size = [&](double share, double slack) {
+    const auto most = static_cast<std::uint64_t>(share * static_cast<double>(n_left));
+    return RoundSize{std::min(n_wanted, std::max(fewest, most)), slack};
+  };
+  if (share_wanted > 0.6) return size(0.4, 3);
+  return share_wanted > 0.02 ? size(0.15, 1.3) : size(1, 3);
+}
+
 class Level {
  public:
   Level(const LevelContext& context, const LevelPlan& plan, WorkingSurface& surface)
@@ -36,11 +49,23 @@ class Level {
         nonmanifold_(surface.is_input() ? jobs_.size() + 1 : 0) {}
 
   std::optional<double> run(const LevelGoal& goal, StageReport& report);
+  /// \pre there is one block, and it goes in rounds
+  void contract_to(const DecimateTarget& target, StageReport& report);
   /// Finds the cost that leaves as many of the sample's inner vertices as wanted, and runs the sample up to it.
   double climb(const std::vector<std::size_t>& sample, double surplus);
   std::vector<std::size_t> choose_sample(std::size_t every) const;
 
  private:
+  struct Round {
+    std::uint64_t n_turns;
+    std::uint64_t n_contractions;
+    float cost;  ///< that might have been
+  };
+  double climb_in_rounds(const std::vector<std::size_t>& sample, double goal);
+  Round contract_in_step(const std::vector<std::size_t>& blocks, const RoundSize& size);
+  std::size_t n_inner_vertices_left(const std::vector<std::size_t>& blocks) const;
+  void begin_results();
+  void end(StageReport& report);
   const DecimateOptions& options() const { return context_.stage.options; }
   unsigned threads() const { return options().threads; }
   bool is_told() const { return context_.stage.keeps_steps || options().listener; }
@@ -64,7 +89,8 @@ class Level {
   WorkingSurface& surface_;
   Partition partition_;
   std::vector<std::uint8_t> locked_;
-  std::vector<Index> areas_;                ///< of the surface's faces, or empty
+  std::vector<Index> areas_;  ///< of the surface's faces, or empty
+  RoundScratchPool scratch_;
   std::vector<std::unique_ptr<Job>> jobs_;  ///< a block each; null where it was not begun
   std::vector<NonmanifoldCounts> nonmanifold_;
   BlockResults results_;
@@ -122,7 +148,7 @@ void Level::begin(std::size_t number) {
     job->log.end = log_.data() + first_in_log_[number];
     context.log = &job->log;
   }
-  job->block.emplace(surface_, partition_, number, context);
+  job->block.emplace(surface_, partition_, number, context, scratch_);
   if (!nonmanifold_.empty()) nonmanifold_[number] = job->block->count_nonmanifold();
   job->block->start(least_left(*job->block, number));
   jobs_[number] = std::move(job);
@@ -174,6 +200,7 @@ double Level::climb(const std::vector<std::size_t>& sample, double surplus) {
     });
   };
   const double goal = sum([](const Block& block) { return block.n_inner_vertices(); }) * share() * surplus;
+  if (jobs_[sample.front()]->block->rounds() != nullptr) return climb_in_rounds(sample, goal);
   CostLadder ladder(surface_.cost_state.face_area->first());
   double n_left = 0;
   do {
@@ -181,6 +208,79 @@ double Level::climb(const std::vector<std::size_t>& sample, double surplus) {
     n_left = sum([](const Block& block) { return block.n_inner_vertices_left(); });
   } while (!context_.progress.is_cancelled() && ladder.climb(n_left / goal));
   return ladder.cost();
+}
+
+/// All blocks of the sample in step. \param goal number of inner vertices that are to be left
+/// \return the highest cost of a round
+double Level::climb_in_rounds(const std::vector<std::size_t>& sample, double goal) {
+  constexpr double share = 0.4;
+  constexpr double slack = 3;
+  constexpr double enough = 1.02;
+  float cost = 0;
+  while (!context_.progress.is_cancelled()) {
+    const auto n_left = static_cast<double>(n_inner_vertices_left(sample));
+    if (n_left <= enough * goal) break;
+    // Of the pairs that cost least about half can be contracted, so the last rounds are of a cost that leaves enough.
+    const bool is_last = n_left - goal < share * n_left;
+    const double n_pairs = is_last ? 2.2 * (n_left - goal) : share * n_left;
+    const RoundSize size{static_cast<std::uint64_t>(n_pairs), is_last ? 1 : slack};
+    const Round round = contract_in_step(sample, size);
+    cost = std::max(cost, round.cost);
+    if (round.n_turns == 0) break;
+  }
+  return cost;
+}
+
+/// A round. \pre the blocks have begun
+Level::Round Level::contract_in_step(const std::vector<std::size_t>& blocks, const RoundSize& size) {
+  const auto rounds_of = [&](std::size_t i) -> Rounds& { return *jobs_[blocks[i]]->block->rounds(); };
+  for_each_block(blocks.size(), threads(), [&](std::size_t i) { rounds_of(i).begin_round(); });
+  std::vector<const CostCounts*> counts;
+  std::uint64_t n_before = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    counts.push_back(&rounds_of(i).cost_counts());
+    n_before += rounds_of(i).n_contractions();
+  }
+  const std::vector<RoundLimit> limits = limits_of_parts(counts, size);
+  std::vector<std::uint64_t> n_turns(blocks.size());
+  for_each_block(blocks.size(), threads(), [&](std::size_t i) { n_turns[i] = rounds_of(i).contract(limits[i]); });
+  std::uint64_t n_after = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) n_after += rounds_of(i).n_contractions();
+  return {std::accumulate(n_turns.begin(), n_turns.end(), std::uint64_t{0}), n_after - n_before, limits.front().cost};
+}
+
+std::size_t Level::n_inner_vertices_left(const std::vector<std::size_t>& blocks) const {
+  return std::accumulate(blocks.begin(), blocks.end(), std::size_t{0}, [this](std::size_t n, std::size_t number) {
+    return n + jobs_[number]->block->n_inner_vertices_left();
+  });
+}
+
+/// How many contractions the target asks for at least. One takes two faces at most.
+std::uint64_t n_wanted(const Rounds& rounds, const DecimateTarget& target) {
+  const std::uint64_t n_vertices = rounds.n_vertices();
+  const std::uint64_t n_faces = rounds.n_faces();
+  std::uint64_t wanted = n_vertices;
+  if (target.n_vertices()) wanted = std::min(wanted, n_vertices - std::min(n_vertices, *target.n_vertices()));
+  if (target.n_faces()) wanted = std::min(wanted, (n_faces - std::min(n_faces, *target.n_faces()) + 1) / 2);
+  return wanted;
+}
+
+void Level::contract_to(const DecimateTarget& target, StageReport& report) {
+  begin_results();
+  begin(0);
+  if (!nonmanifold_.empty()) nonmanifold_.back() = {};  // no vertex is shared
+  Block& block = *jobs_.front()->block;
+  Rounds& rounds = *block.rounds();
+  rounds.start(target);
+  while (const std::uint64_t wanted = n_wanted(rounds, target)) {
+    rounds.begin_round();
+    const CostCounts* const counts = &rounds.cost_counts();
+    const RoundSize size = size_of_round(wanted, block.n_inner_vertices_left());
+    if (rounds.contract(limits_of_parts({&counts, 1}, size).front()) == 0) break;
+    if (context_.progress.is_cancelled()) break;
+  }
+  finish(0);
+  end(report);
 }
 
 /// \pre the surface is what is left
@@ -230,11 +330,26 @@ void Level::run_others(double cost, std::optional<SharedStars>& shared_stars) {
   });
 }
 
-std::optional<double> Level::run(const LevelGoal& goal, StageReport& report) {
+void Level::begin_results() {
   results_.merged_into.resize(surface_.positions.size());
   std::iota(results_.merged_into.begin(), results_.merged_into.end(), Index{0});
   results_.is_face_left.assign(surface_.faces.size(), 1);
   if (is_told()) begin_log();
+}
+
+/// Puts together what blocks have left.
+void Level::end(StageReport& report) {
+  std::vector<const Block*> blocks;
+  for (const auto& job : jobs_) {
+    if (job) blocks.push_back(&*job->block);
+  }
+  surface_ = stitch(surface_, partition_, blocks, results_, threads());
+  if (!log_.empty()) tell(report);
+  sum_up(report.result);
+}
+
+std::optional<double> Level::run(const LevelGoal& goal, StageReport& report) {
+  begin_results();
   // In the exact order blocks have to know what pairs with a shared vertex cost at least.
   std::optional<SharedStars> shared_stars;
   if (surface_.is_input() && plan_.role == Role::in_exact_order) {
@@ -249,13 +364,7 @@ std::optional<double> Level::run(const LevelGoal& goal, StageReport& report) {
   }
   if (goal.least_done > 0 && is_futile(goal) && !context_.progress.is_cancelled()) return std::nullopt;
   run_others(*cost, shared_stars);
-  std::vector<const Block*> blocks;
-  for (const auto& job : jobs_) {
-    if (job) blocks.push_back(&*job->block);
-  }
-  surface_ = stitch(surface_, partition_, blocks, results_, threads());
-  if (!log_.empty()) tell(report);
-  sum_up(report.result);
+  end(report);
   return cost;
 }
 
@@ -269,6 +378,12 @@ double find_cost(const LevelContext& context, const LevelPlan& plan, double surp
 std::optional<double> run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal,
                                 WorkingSurface& surface, StageReport& report) {
   return Level(context, plan, surface).run(goal, report);
+}
+
+void contract_to_target(const LevelContext& context, const DecimateTarget& target, WorkingSurface& surface,
+                        StageReport& report) {
+  const LevelPlan all{surface.faces.size(), 0.5, Role::alone};
+  Level(context, all, surface).contract_to(target, report);
 }
 
 }  // namespace whittle

@@ -41,4 +41,9 @@ double find_cost(const LevelContext& context, const LevelPlan& plan, double surp
 std::optional<double> run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal,
                                 WorkingSurface& surface, StageReport& report);
 
+/// Contracts the surface as one block in rounds, until a target is reached, or nothing more can be contracted.
+/// \param surface, report as those of `run_level`
+void contract_to_target(const LevelContext& context, const DecimateTarget& target, WorkingSurface& surface,
+                        StageReport& report);
+
 }  // namespace whittle

@@ -8,15 +8,12 @@
 #include "whittle/engine/formula/edge_length_term.hh"
 
 namespace whittle {
-namespace {
 
 QuadricOptions quadric_options(const DecimateOptions& options) {
   QuadricOptions quadric = options.quadric;
   if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
   return quadric;
 }
-
-}  // namespace
 
 std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Constraints& constraints,
                                     const DecimateOptions& options, bool has_threshold_pairs) {

@@ -13,6 +13,9 @@ namespace whittle {
 std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Constraints& constraints,
                                     const DecimateOptions& options, bool has_threshold_pairs);
 
+/// What costs know of the options of quadrics.
+QuadricOptions quadric_options(const DecimateOptions& options);
+
 /// The power of a length that is the unit of the cost that the options ask for.
 double cost_dimension(const DecimateOptions& options);
 

@@ -91,16 +91,18 @@ double StagedRun::way_to(const DecimateTarget& stop) const {
                   share(stop.n_vertices(), target_.n_vertices(), n_vertices_left()));
 }
 
+void StagedRun::tell_part_of_progress(double begin, double end, DecimateOptions& options) {
+  if (!options.progress || (begin <= 0 && end >= 1)) return;
+  options.progress = [begin, end, callback = options.progress](Progress progress) {
+    progress.fraction = begin + (end - begin) * progress.fraction;
+    return callback(progress);
+  };
+}
+
 /// The callbacks are told of a part of the progress, and of the input's vertices. \param end of that part
 DecimateOptions StagedRun::options_of_stage(double end) {
   DecimateOptions options = options_;
-  const double begin = report().progress;
-  if ((begin > 0 || end < 1) && options.progress) {
-    options.progress = [begin, end, callback = options.progress](Progress progress) {
-      progress.fraction = begin + (end - begin) * progress.fraction;
-      return callback(progress);
-    };
-  }
+  tell_part_of_progress(report().progress, end, options);
   if (is_listener_told_at_end()) options.listener = {};
   if (!surface().is_input() && options.listener) {
     options.listener = [this, callback = options.listener](Contraction contraction) {
@@ -186,10 +188,28 @@ std::vector<RefusedPair> StagedRun::refused_pairs(Contractor& contractor) const 
   return refused;
 }
 
+/// Whether blocks have left nothing to do.
+bool StagedRun::is_at(const DecimateTarget& stop) const {
+  const bool is_reached = stop.is_reached_at(n_faces_left(), n_vertices_left());
+  return is_reached && !surface().is_input() && !is_cancelled() && !options_.keep_quadrics;
+}
+
+/// That nothing was to be done.
+DecimateResult StagedRun::add_to_report(StageReport report) {
+  if (keeps_steps()) end_pass(report.steps);
+  report.result.stop = StopReason::target;
+  report.result.n_vertices = n_vertices_left();
+  report.result.n_faces = n_faces_left();
+  DecimateResult result = report.result;
+  state_.report += std::move(report);
+  return result;
+}
+
 DecimateResult StagedRun::contract(const DecimateTarget& stop, bool is_last, const StageLimits& limits) {
   WorkingSurface& surface = state_.surface;
   StageReport report;
   report.progress = state_.report.progress + (1 - state_.report.progress) * way_to(stop);
+  if (is_at(stop)) return add_to_report(std::move(report));
   const DecimateOptions options = options_of_stage(report.progress);
   Preparation preparation(options);
   ThresholdPairCounts pairs;

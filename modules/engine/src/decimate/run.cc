@@ -11,11 +11,11 @@
 namespace whittle {
 namespace {
 
-/// That of the first checkpoint, if blocks would go beyond it on the way to the target.
-DecimateTarget target_of_blocks(const StagedRun& run, const BlockPlan& plan) {
+/// Where blocks stop: at the first checkpoint, or short of the target, if no checkpoint comes before.
+DecimateTarget target_of_blocks(const StagedRun& run, const DecimateTarget& first_stop, const BlockPlan& plan) {
   const std::vector<double>& checkpoints = run.options().pauses.at;
   const bool is_early = !checkpoints.empty() && checkpoints.front() > plan.surplus;
-  return is_early ? run.target().with_counts_times(checkpoints.front()) : run.target();
+  return is_early || goes_to_target(run.options(), run.mesh()) ? first_stop : run.target();
 }
 
 /// Whether blocks may have made contractions in exact order that come after the last one.
@@ -26,8 +26,10 @@ bool is_beyond_target(const DecimateResult& in_blocks, const DecimateResult& aft
 
 /// Contracts in blocks where that is worth while, and then to each checkpoint in turn.
 void contract_to_target(StagedRun& run, const BlockPlan& plan) {
-  const DecimateResult in_blocks = run.contract_in_blocks(target_of_blocks(run, plan), plan);
-  const std::vector<DecimateTarget> stops = run.stops();
+  const std::vector<DecimateTarget> all_stops = run.stops();
+  const DecimateResult in_blocks = run.contract_in_blocks(target_of_blocks(run, all_stops.front(), plan), plan);
+  const bool goes_on_in_rounds = in_blocks.why_in_one_pass.empty() && goes_to_target(run.options(), run.mesh());
+  const std::vector<DecimateTarget> stops = goes_on_in_rounds ? all_stops : run.stops();
   const auto contract_to_stop = [&](std::size_t i) { return run.contract(stops[i], i + 1 == stops.size()); };
   const DecimateResult first = contract_to_stop(0);
   if (is_exact_in_blocks(run.options()) && is_beyond_target(in_blocks, first)) {
@@ -37,6 +39,7 @@ void contract_to_target(StagedRun& run, const BlockPlan& plan) {
   }
   for (std::size_t i = 1; i < stops.size() && run.report().result.stop == StopReason::target; ++i) {
     if (run.checkpoint()) {
+      if (goes_on_in_rounds) run.contract_in_blocks(stops[i], plan);
       contract_to_stop(i);
     } else {
       run.report().result.stop = StopReason::cancelled;

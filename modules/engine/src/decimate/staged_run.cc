@@ -61,24 +61,37 @@ const KeptAreas& StagedRun::areas() {
 
 DecimateResult StagedRun::contract_in_blocks(const DecimateTarget& target, const BlockPlan& plan,
                                              const StageLimits& limits) {
-  StageReport report{.progress = state_.report.progress};
+  const double begin = state_.report.progress;
+  StageReport report{.progress = begin};
   report.result.why_in_one_pass = why_not_in_blocks(mesh_, target, options_, host_, plan);
   if (report.result.why_in_one_pass.empty()) {
     DecimateOptions options = options_;
+    const double end = begin + (1 - begin) * way_to(target);
+    tell_part_of_progress(begin, end, options);
     if (is_listener_told_at_end()) options.listener = {};
     const std::vector<Index> kept_areas = areas().of(target);
     StageContext context{options, frame_};
     context.limits = limits;
     context.areas.of = kept_areas;
     context.keeps_steps = keeps_steps();
+    const bool is_first = surface().is_input();
     report = whittle::contract_in_blocks(state_.surface, mesh_, target, plan, context);
-    const SurfaceCounts& before = report.result.before;
-    const bool is_counted = report.result.why_in_one_pass.empty() && report.result.stop != StopReason::cancelled;
-    if (is_counted) nonmanifold_before_ = {before.nonmanifold_edges, before.nonmanifold_vertices};
+    report.progress = begin + (end - begin) * report.progress;
+    if (is_first) note_nonmanifold(report.result);
   }
   DecimateResult result = report.result;
   state_.report += std::move(report);
   return result;
+}
+
+/// Blocks have counted what isn't manifold in the input. \param result theirs
+void StagedRun::note_nonmanifold(const DecimateResult& result) {
+  if (!result.why_in_one_pass.empty() || result.stop == StopReason::cancelled) return;
+  nonmanifold_before_ = {result.before.nonmanifold_edges, result.before.nonmanifold_vertices};
+  // Blocks keep the topology.
+  if (nonmanifold_before_->edges == 0 && nonmanifold_before_->vertices == 0) {
+    state_.surface.nonmanifold = NonmanifoldCounts{};
+  }
 }
 
 }  // namespace whittle

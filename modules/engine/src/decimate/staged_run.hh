@@ -66,8 +66,12 @@ class StagedRun {
   const KeptAreas& areas();
   bool is_listener_told_at_end() const { return options_.listener && target_.error_limit(); }
   bool keeps_steps() const { return options_.keep_steps || is_listener_told_at_end() || keeps_steps_of_all_; }
+  void note_nonmanifold(const DecimateResult& result);
   // contraction_stage.cc
   double way_to(const DecimateTarget& stop) const;
+  static void tell_part_of_progress(double begin, double end, DecimateOptions& options);
+  bool is_at(const DecimateTarget& stop) const;
+  DecimateResult add_to_report(StageReport report);
   DecimateOptions options_of_stage(double end);
   ThresholdPairCounts prepare_input(const DecimateOptions& options, Preparation& preparation);
   void sum_attributes_of_surface();

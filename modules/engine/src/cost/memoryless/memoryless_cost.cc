@@ -8,7 +8,7 @@ namespace whittle {
 namespace {
 
 /// Estimated from the faces at rings, because other vertices have the planes of borders and seams, too.
-MeanFaceArea mean_face_area(const TriangleComplex& complex, const PlanesOfSeams& seams, const VertexQuadrics& quadrics,
+MeanFaceArea mean_face_area(const TriangleComplex& complex, const SparseQuadrics& seams, const VertexQuadrics& quadrics,
                             double regularization) {
   double area = 0;
   std::uint64_t n_corners = 0;

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "cost/memoryless/planes_of_seams.hh"
 #include "cost/quadric/quadric_cost.hh"
+#include "cost/sparse_quadrics.hh"
 #include "whittle/engine/formula/plane_changes.hh"
 
 namespace whittle {
@@ -54,7 +54,7 @@ class MemorylessCost final : public PairCost {
   QuadricCost ranks_;
   /// Per vertex, whether of its live faces and of no others, those of seams aside.
   std::vector<bool> has_planes_of_faces_;
-  PlanesOfSeams seams_;   ///< of vertices that have planes of faces, and of seams: the latter
+  SparseQuadrics seams_;  ///< of vertices that have planes of faces, and of seams: the latter
   PlaneChanges changes_;  ///< scratch
 };
 

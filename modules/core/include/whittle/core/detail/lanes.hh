@@ -80,31 +80,33 @@ struct FourLanes {
   Real first, second, third, fourth;
 };
 
+/// Four lanes of four as a matrix, its rows for its columns.
+template <class Real>
+WHITTLE_INLINE FourLanes<Real> transposed(const FourLanes<Real>& rows) {
+  static_assert(n_lanes<Real> == 4);
+  const Real even01 = shuffled<0, 4, 2, 6>(rows.first, rows.second);
+  const Real odd01 = shuffled<1, 5, 3, 7>(rows.first, rows.second);
+  const Real even23 = shuffled<0, 4, 2, 6>(rows.third, rows.fourth);
+  const Real odd23 = shuffled<1, 5, 3, 7>(rows.third, rows.fourth);
+  return {shuffled<0, 1, 4, 5>(even01, even23), shuffled<0, 1, 4, 5>(odd01, odd23),
+          shuffled<2, 3, 6, 7>(even01, even23), shuffled<2, 3, 6, 7>(odd01, odd23)};
+}
+
 /// Transposes four elements of each lane's array: {at(0)[i], at(1)[i], …} for i = 0 … 3.
 /// \param at `at(lane)` points to the first of the four
 template <class Real, class At>
 WHITTLE_INLINE FourLanes<Real> transposed_lanes(const At& at) {
-  FourLanes<Real> columns;
   if constexpr (n_lanes<Real> == 4) {
-    const Real row0 = load_lanes<Real>(at(0));
-    const Real row1 = load_lanes<Real>(at(1));
-    const Real row2 = load_lanes<Real>(at(2));
-    const Real row3 = load_lanes<Real>(at(3));
-    const Real even01 = shuffled<0, 4, 2, 6>(row0, row1);
-    const Real odd01 = shuffled<1, 5, 3, 7>(row0, row1);
-    const Real even23 = shuffled<0, 4, 2, 6>(row2, row3);
-    const Real odd23 = shuffled<1, 5, 3, 7>(row2, row3);
-    columns.first = shuffled<0, 1, 4, 5>(even01, even23);
-    columns.second = shuffled<0, 1, 4, 5>(odd01, odd23);
-    columns.third = shuffled<2, 3, 6, 7>(even01, even23);
-    columns.fourth = shuffled<2, 3, 6, 7>(odd01, odd23);
+    return transposed<Real>(
+        {load_lanes<Real>(at(0)), load_lanes<Real>(at(1)), load_lanes<Real>(at(2)), load_lanes<Real>(at(3))});
   } else {
+    FourLanes<Real> columns;
     fill_lanes(columns.first, [&](std::size_t lane) { return at(lane)[0]; });
     fill_lanes(columns.second, [&](std::size_t lane) { return at(lane)[1]; });
     fill_lanes(columns.third, [&](std::size_t lane) { return at(lane)[2]; });
     fill_lanes(columns.fourth, [&](std::size_t lane) { return at(lane)[3]; });
+    return columns;
   }
-  return columns;
 }
 
 template <class Real>

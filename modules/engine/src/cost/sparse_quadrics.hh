@@ -8,21 +8,21 @@
 
 namespace whittle {
 
-/// The planes of seams that vertices remember, each about its vertex. Most vertices have none.
-class PlanesOfSeams {
+/// Quadrics that a few vertices have, such as the planes of seams, each about its vertex.
+class SparseQuadrics {
  public:
   bool empty() const { return slots_.empty(); }
   bool contains(Index v) const { return !empty() && slots_[v] != invalid_index; }
-  const Quadric* find(Index v) const { return contains(v) ? &planes_[slots_[v]] : nullptr; }
+  const Quadric* find(Index v) const { return contains(v) ? &quadrics_[slots_[v]] : nullptr; }
 
   /// \param n_vertices that there are
-  void set(Index v, const Quadric& planes, std::size_t n_vertices) {
+  void set(Index v, const Quadric& quadric, std::size_t n_vertices) {
     if (empty()) slots_.assign(n_vertices, invalid_index);
     if (slots_[v] == invalid_index) {
-      slots_[v] = static_cast<Index>(planes_.size());
-      planes_.emplace_back();
+      slots_[v] = static_cast<Index>(quadrics_.size());
+      quadrics_.emplace_back();
     }
-    planes_[slots_[v]] = planes;
+    quadrics_[slots_[v]] = quadric;
   }
   void erase(Index v) {
     if (!empty()) slots_[v] = invalid_index;
@@ -38,13 +38,13 @@ class PlanesOfSeams {
     const Index slot = slots_[first != nullptr ? change.pair.a : change.pair.b];
     slots_[change.removed] = invalid_index;
     slots_[change.survivor] = slot;
-    planes_[slot] = sum;
+    quadrics_[slot] = sum;
     return sum;
   }
 
  private:
-  std::vector<Index> slots_;  ///< a vertex, in `planes_`, or `invalid_index`; empty where there are none at all
-  std::vector<Quadric> planes_;
+  std::vector<Index> slots_;  ///< a vertex, in `quadrics_`, or `invalid_index`; empty where there are none at all
+  std::vector<Quadric> quadrics_;
 };
 
 }  // namespace whittle

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "rounds/round_mesh.hh"
+#include "whittle/core/vertex_pair.hh"
+#include "whittle/engine/formula/flip_limit.hh"
+#include "whittle/engine/formula/memoryless_term.hh"
+
+namespace whittle {
+
+/// The faces that the merged vertex of a pair will have: those of a without b, then those of b without a.
+class MergedStar {
+ public:
+  explicit MergedStar(const RoundMesh& mesh) : mesh_(mesh), marks_(mesh.n_vertices()) {}
+
+  /// Looks at a pair, both vertices of which are left, as their faces are now.
+  /// \return whether the contraction keeps the topology, if no more than one line of border edges goes through either
+  ///         vertex (the link condition, link_condition.hh) \param on_border of each vertex, whether one does
+  bool gather(const VertexPair& pair, std::array<bool, 2> on_border);
+
+  std::size_t n_faces() const { return n_; }
+  LinkEdge others(std::size_t i) const { return others_[i]; }
+  Index apex(std::size_t i) const { return i < n_first_ ? pair_.a : pair_.b; }
+  /// The third corners of the faces that vanish. \pre the condition holds
+  std::span<const Index> opposites() const { return {opposites_.data(), n_opposite_}; }
+
+  /// Those faces, by their places in the star of a. \pre the condition holds
+  std::span<const Index> vanishing() const { return {vanishing_.data(), n_opposite_}; }
+
+  /// The sums for one star of the pair, as its faces are now. \param end 0 or 1 \pre the condition holds
+  StarPlanes planes(std::size_t end, const QuadricOptions& options);
+
+  /// \param a, b the sums of the two stars \param origin of the result
+  StarVolume volume(const StarPlanes& a, const StarPlanes& b, const Vec3& origin) const;
+  /// Whether a face turns too far, or loses its area, if the vertex is at `position`.
+  bool exceeds(const FlipLimit& limit, const Vec3& position);
+  /// About how far the faces move, as `MergedRing::displacement_sq` says.
+  double displacement_sq(const Vec3& position) const;
+
+ private:
+  struct Kernels;
+  void note_vanishing(Index slot, Index opposite, double turn) {
+    if (n_opposite_ < 2) {
+      vanishing_[n_opposite_] = slot;
+      opposites_[n_opposite_] = opposite;
+      turns_[n_opposite_] = turn;
+    }
+    ++n_opposite_;
+  }
+  double farthest_sq(const Vec3& from) const;
+
+  const RoundMesh& mesh_;
+  VertexPair pair_{};
+  std::vector<LinkEdge> others_;  ///< of each face, as the mesh lists them; and some more at the end
+  std::size_t n_first_ = 0;
+  std::size_t n_ = 0;
+  std::array<Index, 2> vanishing_{};
+  std::array<Index, 2> opposites_{};
+  std::array<double, 2> turns_{};  ///< 1 if the face is (a, b, opposite), −1 if it is (b, a, opposite)
+  std::size_t n_opposite_ = 0;
+  std::vector<LinkEdge> all_;  ///< scratch: the faces of one star
+  std::vector<Index> marks_;   ///< per vertex, the look that found it next to a
+  Index n_looks_ = 0;
+};
+
+}  // namespace whittle

@@ -1,0 +1,286 @@
+#include "rounds/rounds.hh"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "cost/make_cost.hh"
+#include "loop/contraction_log.hh"
+#include "whittle/core/geometry/radius_ratio.hh"
+
+namespace whittle {
+namespace {
+
+/// A part that is alone contracts so much of its vertices in a round. Measured: docs/dev/decisions.md.
+constexpr double share_alone = 0.4;
+constexpr double slack_alone = 3;
+/// A round that contracts less than this share of the vertices left isn't worth another.
+constexpr double least_gain = 0.1;
+constexpr std::uint64_t fewest_pairs = 16;
+/// Turns between two calls of the progress callback: about a millisecond.
+constexpr std::size_t progress_interval = 2048;
+
+}  // namespace
+
+void Rounds::run(double cost) {
+  while (!is_cancelled_ && !is_target_reached()) {
+    begin_round();
+    const auto n_left = static_cast<double>(n_inner_ - n_contractions_);
+    const auto n_pairs = std::max(fewest_pairs, static_cast<std::uint64_t>(share_alone * n_left));
+    const CostCounts* const counts = &cost_counts();
+    RoundLimit limit = limits_of_parts({&counts, 1}, {n_pairs, slack_alone}).front();
+    const bool may_go_on = limit.cost < cost;
+    if (!may_go_on) limit.cost = CostCounts::in_range(cost);
+    const std::uint64_t n_before = n_contractions_;
+    contract(limit);
+    const auto n_done = static_cast<double>(n_contractions_ - n_before);
+    if (n_done == 0 || (!may_go_on && n_done < least_gain * n_left)) return;
+  }
+}
+
+void Rounds::begin_round() {
+  if (!is_summed_up_) sum_up();
+  is_summed_up_ = false;
+  held_.begin_round();
+  std::fill(states_.begin(), states_.end(), as_before);
+  list_pairs();
+}
+
+void Rounds::sum_up() {
+  mesh_.begin_round(areas_.any());
+  for (Index v = 0; v < stars_.size(); ++v) {
+    if (!mesh_.star(v).empty()) std::fill(stars_[v].sums.begin(), stars_[v].sums.end(), 0.0);
+  }
+  add_faces(mesh_.faces(), mesh_.points(), quadric_, stars_);
+  is_summed_up_ = true;
+}
+
+/// Pairs of vertices with flags come last.
+void Rounds::list_pairs() {
+  make_room(scratch_->pairs, 3 * mesh_.faces().size() + 1);  // the last one is written over
+  const std::uint8_t* const flags = flags_.data();
+  const auto n_vertices = static_cast<Index>(flags_.size());
+  VertexPair* next = scratch_->pairs.data();
+  for (Index v = 0; v < n_vertices; ++v) {
+    if (flags[v] != 0) continue;
+    for (const LinkEdge& face : mesh_.star(v)) {
+      const Index w = face.x;
+      *next = {v, w};
+      next += static_cast<std::ptrdiff_t>(v < w) & static_cast<std::ptrdiff_t>(flags[w] == 0);
+    }
+  }
+  n_pairs_ = static_cast<std::size_t>(next - scratch_->pairs.data());
+  make_room(scratch_->costs, n_pairs_);
+  pair_costs_.rank(std::span(scratch_->pairs).first(n_pairs_), scratch_->costs);
+  std::erase_if(special_, [this](Index v) { return mesh_.star(v).empty(); });
+  for (const Index v : special_) list_pairs_at(v);
+  for (std::size_t i = 0; i < n_pairs_; ++i) {
+    scratch_->costs[i] = held_.cost(scratch_->pairs[i], scratch_->costs[i]);
+  }
+  scratch_->cost_counts.count(std::span(scratch_->costs).first(n_pairs_));
+}
+
+/// Of a vertex with flags, all pairs but those that the other one lists.
+void Rounds::list_pairs_at(Index v) {
+  const std::span<const LinkEdge> star = mesh_.star(v);
+  const auto list = [&](Index w) {
+    const bool is_listed_there = flags_[w] != 0 && w < v;
+    if (has(w, frozen) || is_listed_there || (has(v, locked) && has(w, locked))) return;
+    const VertexPair pair{std::min(v, w), std::max(v, w)};
+    const float cost = CostCounts::in_range(rank(pair).cost);
+    make_room(scratch_->pairs, n_pairs_ + 1);
+    make_room(scratch_->costs, n_pairs_ + 1);
+    scratch_->pairs[n_pairs_] = pair;
+    scratch_->costs[n_pairs_++] = cost;
+  };
+  for (const LinkEdge& face : star) {
+    list(face.x);
+    const bool is_end = std::none_of(star.begin(), star.end(), [&](const LinkEdge& f) { return f.x == face.y; });
+    if (is_end) list(face.y);
+  }
+}
+
+/// Lists the pairs that cost at most so much, by the class of their cost, and then as they are listed.
+void Rounds::sort_candidates(float most) {
+  const std::span<const float> costs = std::span(scratch_->costs).first(n_pairs_);
+  const std::uint32_t first = std::min(cost_counts().first(), CostCounts::class_of(most));
+  const std::uint32_t n = CostCounts::class_of(most) - first + 1;
+  scratch_->places.assign(n + 1, 0);
+  Index* const places = scratch_->places.data();
+  const auto slot = [&](float cost) { return std::min(CostCounts::class_of(cost) - first, n); };
+  for (const float cost : costs) ++places[slot(cost)];
+  Index sum = 0;
+  for (Index& place : scratch_->places) sum += std::exchange(place, sum);
+  n_candidates_ = places[n];
+  make_room(scratch_->candidates, costs.size());
+  Index* const candidates = scratch_->candidates.data();
+  for (Index i = 0; i < costs.size(); ++i) candidates[places[slot(costs[i])]++] = i;
+}
+
+std::uint64_t Rounds::contract(const RoundLimit& limit) {
+  sort_candidates(limit.cost);
+  const std::uint64_t end = n_contractions_ + limit.n_pairs;
+  std::uint64_t n_turns = 0;
+  for (const Index i : std::span(scratch_->candidates).first(n_candidates_)) {
+    if (n_contractions_ == end || is_target_reached()) break;
+    const VertexPair& pair = scratch_->pairs[i];
+    const bool is_merged = ((states_[pair.a] | states_[pair.b]) & merged) != 0;
+    if (is_merged || scratch_->costs[i] > limit.cost) continue;
+    if (n_turns++ % progress_interval == 0 && !goes_on()) break;
+    take(pair, limit.cost);
+  }
+  return n_turns;
+}
+
+bool Rounds::is_target_reached() const { return target_.is_reached_at(n_faces_, n_vertices()); }
+
+bool Rounds::goes_on() {
+  if (options_.progress) is_cancelled_ = !options_.progress({n_vertices(), n_faces_, 0});
+  return !is_cancelled_;
+}
+
+/// The turn of a pair.
+void Rounds::take(const VertexPair& pair, float most) {
+  const auto [a, b] = pair;
+  if (!star_.gather(pair, {has(a, on_border), has(b, on_border)})) return refuse(pair, Refusal::link);
+  refresh(a, 0);
+  refresh(b, 1);
+  const PairEvaluation ranked = rank(pair);
+  if (CostCounts::in_range(ranked.cost) > most) return;
+  if (areas_.any() && areas_.end_with(vanishing_faces(a))) return refuse(pair, Refusal::area);
+  StarVolume volume;
+  Vec3 position = ranked.position;
+  const bool forgets_planes = forgets(pair);
+  if (forgets_planes) {
+    volume = star_.volume(stars_[a], stars_[b], ranked.position);
+    if (ranked.is_minimum) position += volume_step(matrix(a) + matrix(b), volume);
+  }
+  if (const std::optional<Refusal> why = refusal_at(position)) {
+    if (position == ranked.position) return refuse(pair, *why);
+    position = ranked.position;
+    if (const std::optional<Refusal> why_there = refusal_at(position)) return refuse(pair, *why_there);
+  }
+  double cost = ranked.cost;
+  if (forgets_planes && volume.is_thin()) {
+    cost = std::max(cost, thin_cost(star_.displacement_sq(position), face_area_.now(n_faces_)));
+    const float in_range = CostCounts::in_range(cost);
+    if (in_range > most) return held_.add_dear(pair, in_range, now());
+  }
+  merge(pair, ranked, position, cost);
+}
+
+/// Sums up the planes of a vertex of the pair, if its faces have changed in this round.
+void Rounds::refresh(Index v, std::size_t end) {
+  if ((states_[v] & outdated) == 0) return;
+  states_[v] = as_before;
+  stars_[v] = star_.planes(end, quadric_);
+}
+
+SymmetricMatrix Rounds::matrix(Index v) const { return flags_[v] == 0 ? stars_[v].matrix() : placed(v).quadric.a; }
+
+PlacedQuadric Rounds::placed(Index v) const {
+  if (const Quadric* const all = remembered_.find(v)) return {mesh_.point(v), *all};
+  PlacedQuadric placed{mesh_.point(v), {stars_[v].matrix(), Vec3::Zero(), 0}};
+  if (const Quadric* const seams = seams_.find(v)) placed.quadric += *seams;
+  return placed;
+}
+
+PairEvaluation Rounds::rank(const VertexPair& pair) const {
+  if (!is_special(pair)) return pair_costs_.of(pair);
+  const PairConstraint constraint = has(pair.a, locked)   ? PairConstraint::first
+                                    : has(pair.b, locked) ? PairConstraint::second
+                                                          : PairConstraint::none;
+  return pair_costs_.of(placed(pair.a), placed(pair.b), constraint);
+}
+
+std::optional<Refusal> Rounds::refusal_at(const Vec3& position) {
+  if (star_.exceeds(flip_limit_, position)) return Refusal::flip;
+  if (options_.min_radius_ratio > 0 && makes_thin(position)) return Refusal::shape;
+  return std::nullopt;
+}
+
+/// Whether a face gets a smaller radius ratio than allowed, that had a greater one.
+bool Rounds::makes_thin(const Vec3& position) const {
+  for (std::size_t i = 0; i < star_.n_faces(); ++i) {
+    const Vec3 x = mesh_.point(star_.others(i).x);
+    const Vec3 y = mesh_.point(star_.others(i).y);
+    const double after = radius_ratio(position, x, y);
+    if (after < *options_.min_radius_ratio && after < radius_ratio(mesh_.point(star_.apex(i)), x, y)) return true;
+  }
+  return false;
+}
+
+/// Of the pair that `star_` looks at, by their numbers at the start.
+std::span<const Index> Rounds::vanishing_faces(Index a) {
+  const std::span<const Index> slots = star_.vanishing();
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    vanishing_[i] = mesh_.face_origins()[mesh_.faces_in_star(a)[slots[i]]];
+  }
+  return std::span(vanishing_).first(slots.size());
+}
+
+void Rounds::merge(const VertexPair& pair, const PairEvaluation& ranked, const Vec3& position, double cost) {
+  const auto [a, b] = pair;
+  const Index survivor = has(a, locked) ? a : b;
+  const Index removed = survivor == a ? b : a;
+  if (areas_.any()) areas_.remove(vanishing_faces(a));
+  ++n_contractions_;
+  for (std::size_t i = 0; i < star_.n_faces(); ++i) {
+    note_change(star_.others(i).x);
+    note_change(star_.others(i).y);
+  }
+  for (const Index v : star_.opposites()) note_change(v);
+  for (const Index v : {a, b}) note_change(v);
+  states_[a] = states_[b] = merged;
+  merge_planes(pair, survivor, removed, ranked, position);
+  mesh_.merge(removed, survivor, position);
+  n_faces_ -= star_.opposites().size();
+  max_cost_ = std::max(max_cost_, cost);
+  if (log_ != nullptr) log_->add({survivor, removed, position, cost_unit_.times(cost), false, false});
+}
+
+/// What the merged vertex knows besides its faces.
+void Rounds::merge_planes(const VertexPair& pair, Index survivor, Index removed, const PairEvaluation& ranked,
+                          const Vec3& position) {
+  if (!is_special(pair)) return;
+  const auto [a, b] = pair;
+  const std::uint8_t flags = flags_[a] | flags_[b];
+  if ((flags & on_border) != 0) {
+    remembered_.set(survivor, whittle::merged(placed(a), placed(b), position, ranked.is_minimum).quadric,
+                    flags_.size());
+    seams_.erase(survivor);
+  } else if ((flags & on_seam) != 0) {
+    Quadric sum;
+    if (const Quadric* const seams = seams_.find(a)) sum += seams->about(position - Vec3(mesh_.point(a)));
+    if (const Quadric* const seams = seams_.find(b)) sum += seams->about(position - Vec3(mesh_.point(b)));
+    seams_.set(survivor, sum, flags_.size());
+  }
+  if (flags_[survivor] == 0) special_.push_back(survivor);
+  flags_[survivor] = (flags & on_border) != 0 ? static_cast<std::uint8_t>(flags & ~on_seam) : flags;
+  remembered_.erase(removed);
+  seams_.erase(removed);
+}
+
+DecimateResult Rounds::result() const {
+  DecimateResult result;
+  result.n_contractions = n_contractions_;
+  result.n_vertices = n_vertices();
+  result.n_faces = n_faces_;
+  result.max_cost = cost_unit_.times(max_cost_);
+  result.refusals = refusals_;
+  result.n_degenerate_faces = n_degenerate_faces_;
+  result.stop = is_cancelled_ ? StopReason::cancelled : is_target_reached() ? StopReason::target : StopReason::cost;
+  return result;
+}
+
+CostState Rounds::state(std::span<const Index> vertices) const {
+  CostState state;
+  for (Index i = 0; i < vertices.size(); ++i) {
+    const Index v = vertices[i];
+    if (const Quadric* const all = remembered_.find(v)) state.quadrics.push_back({i, *all});
+    if (const Quadric* const seams = seams_.find(v)) state.seams.push_back({i, *seams});
+  }
+  return state;
+}
+
+}  // namespace whittle

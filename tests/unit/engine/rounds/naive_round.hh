@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rounds/cost_counts.hh"
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/engine/formula/memoryless_term.hh"
+
+namespace whittle::test {
+
+/// One contraction of a round.
+struct NaiveContraction {
+  Index survivor, removed;
+  Vec3 position;
+};
+
+/// What a round contracts of a closed manifold mesh: the definition, step by step. All is computed from the faces as
+/// they are, each time.
+std::vector<NaiveContraction> naive_round(const IndexedMesh& mesh, const MeanFaceArea& area, const RoundLimit& limit);
+
+}  // namespace whittle::test
