@@ -145,6 +145,7 @@ void check_blocks(DecimateCase c) {
                            .fewest_faces_again = 1,
                            .faces_per_block = 8,
                            .fewest_faces_left = 1,
+                           .fewest_faces_left_before_rounds = 1,
                            .surplus = 1,
                            .fewest_faces_in_exact_order = 1,
                            .fewest_faces_again_in_exact_order = 1,

@@ -120,7 +120,9 @@ StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh,
   const std::size_t n_vertices = surface.positions.size();
   const std::size_t n_faces = surface.faces.size();
   SharedProgress progress(options, n_vertices, n_faces, std::min(0.999, target.share_of(n_faces, n_vertices)));
-  const double share = std::max(plan.fewest_faces_left / static_cast<double>(plan.faces_per_block),
+  const double fewest_left =
+      goes_to_target(options, mesh) ? plan.fewest_faces_left_before_rounds : plan.fewest_faces_left;
+  const double share = std::max(fewest_left / static_cast<double>(plan.faces_per_block),
                                 target.share_of(mesh.faces.size(), mesh.positions.size()));
   const LevelContext level_context{context, mesh, share, progress};
   WorkingSurface left = surface;
@@ -135,7 +137,7 @@ StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh,
                                           : run_levels(level_context, plan, left, report);
   }
   if (goes_to_target(options, mesh) && !context.limits.displacement && !progress.is_cancelled()) {
-    contract_to_target(level_context, target, left, report);
+    contract_in_rounds(level_context, target, left, report);
   }
   if (is_done) {
     surface = std::move(left);

@@ -12,7 +12,8 @@ struct BlockPlan {
   std::size_t fewest_faces = 140000;        ///< smaller meshes are not cut
   std::size_t fewest_faces_again = 262144;  ///< what is left is cut once more, along other borders, if it has so many
   std::size_t faces_per_block = 16384;
-  double fewest_faces_left = 2048;  ///< in a block: of fewer, too many would lie at borders
+  double fewest_faces_left = 256;                 ///< in a block: of fewer, too many would lie at borders
+  double fewest_faces_left_before_rounds = 2048;  ///< the same, if rounds over the whole follow
   double surplus = 1.4;  ///< how many times as many vertices as the target asks for the blocks leave, borders aside
   double surplus_before_rounds = 1.2;  ///< the same, if rounds over the whole follow
 

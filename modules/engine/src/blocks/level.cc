@@ -50,7 +50,7 @@ class Level {
 
   std::optional<double> run(const LevelGoal& goal, StageReport& report);
   /// \pre there is one block, and it goes in rounds
-  void contract_to(const DecimateTarget& target, StageReport& report);
+  void contract_as_one(const DecimateTarget& target, StageReport& report);
   /// Finds the cost that leaves as many of the sample's inner vertices as wanted, and runs the sample up to it.
   double climb(const std::vector<std::size_t>& sample, double surplus);
   std::vector<std::size_t> choose_sample(std::size_t every) const;
@@ -265,7 +265,7 @@ std::uint64_t n_wanted(const Rounds& rounds, const DecimateTarget& target) {
   return wanted;
 }
 
-void Level::contract_to(const DecimateTarget& target, StageReport& report) {
+void Level::contract_as_one(const DecimateTarget& target, StageReport& report) {
   begin_results();
   begin(0);
   if (!nonmanifold_.empty()) nonmanifold_.back() = {};  // no vertex is shared
@@ -380,10 +380,10 @@ std::optional<double> run_level(const LevelContext& context, const LevelPlan& pl
   return Level(context, plan, surface).run(goal, report);
 }
 
-void contract_to_target(const LevelContext& context, const DecimateTarget& target, WorkingSurface& surface,
+void contract_in_rounds(const LevelContext& context, const DecimateTarget& target, WorkingSurface& surface,
                         StageReport& report) {
   const LevelPlan all{surface.faces.size(), 0.5, Role::alone};
-  Level(context, all, surface).contract_to(target, report);
+  Level(context, all, surface).contract_as_one(target, report);
 }
 
 }  // namespace whittle

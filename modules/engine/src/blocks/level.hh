@@ -43,7 +43,7 @@ std::optional<double> run_level(const LevelContext& context, const LevelPlan& pl
 
 /// Contracts the surface as one block in rounds, until a target is reached, or nothing more can be contracted.
 /// \param surface, report as those of `run_level`
-void contract_to_target(const LevelContext& context, const DecimateTarget& target, WorkingSurface& surface,
+void contract_in_rounds(const LevelContext& context, const DecimateTarget& target, WorkingSurface& surface,
                         StageReport& report);
 
 }  // namespace whittle

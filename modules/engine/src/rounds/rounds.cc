@@ -18,7 +18,7 @@ constexpr double slack_alone = 3;
 constexpr double least_gain = 0.1;
 constexpr std::uint64_t fewest_pairs = 16;
 /// Turns between two calls of the progress callback: about a millisecond.
-constexpr std::size_t progress_interval = 2048;
+constexpr std::size_t turns_between_calls = 2048;
 
 }  // namespace
 
@@ -124,9 +124,9 @@ std::uint64_t Rounds::contract(const RoundLimit& limit) {
   for (const Index i : std::span(scratch_->candidates).first(n_candidates_)) {
     if (n_contractions_ == end || is_target_reached()) break;
     const VertexPair& pair = scratch_->pairs[i];
-    const bool is_merged = ((states_[pair.a] | states_[pair.b]) & merged) != 0;
-    if (is_merged || scratch_->costs[i] > limit.cost) continue;
-    if (n_turns++ % progress_interval == 0 && !goes_on()) break;
+    const bool is_taken = ((states_[pair.a] | states_[pair.b]) & taken) != 0;
+    if (is_taken || scratch_->costs[i] > limit.cost) continue;
+    if (n_turns++ % turns_between_calls == 0 && !goes_on()) break;
     take(pair, limit.cost);
   }
   return n_turns;
@@ -231,7 +231,7 @@ void Rounds::merge(const VertexPair& pair, const PairEvaluation& ranked, const V
   }
   for (const Index v : star_.opposites()) note_change(v);
   for (const Index v : {a, b}) note_change(v);
-  states_[a] = states_[b] = merged;
+  states_[a] = states_[b] = taken;
   merge_planes(pair, survivor, removed, ranked, position);
   mesh_.merge(removed, survivor, position);
   n_faces_ -= star_.opposites().size();
@@ -246,8 +246,7 @@ void Rounds::merge_planes(const VertexPair& pair, Index survivor, Index removed,
   const auto [a, b] = pair;
   const std::uint8_t flags = flags_[a] | flags_[b];
   if ((flags & on_border) != 0) {
-    remembered_.set(survivor, whittle::merged(placed(a), placed(b), position, ranked.is_minimum).quadric,
-                    flags_.size());
+    remembered_.set(survivor, merged(placed(a), placed(b), position, ranked.is_minimum).quadric, flags_.size());
     seams_.erase(survivor);
   } else if ((flags & on_seam) != 0) {
     Quadric sum;

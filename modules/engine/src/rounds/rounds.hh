@@ -79,7 +79,7 @@ class Rounds {
   /// What has become of it in this round.
   enum State : std::uint8_t {
     as_before = 0,
-    merged = 1,   ///< it is one of a pair that was contracted
+    taken = 1,    ///< it is one of a pair that was contracted
     outdated = 2  ///< its faces have changed, and the sums over them are those before
   };
 
