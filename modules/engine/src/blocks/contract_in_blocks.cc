@@ -120,8 +120,8 @@ StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh,
   const std::size_t n_vertices = surface.positions.size();
   const std::size_t n_faces = surface.faces.size();
   SharedProgress progress(options, n_vertices, n_faces, std::min(0.999, target.share_of(n_faces, n_vertices)));
-  const double fewest_left =
-      goes_to_target(options, mesh) ? plan.fewest_faces_left_before_rounds : plan.fewest_faces_left;
+  const bool ends_in_rounds = goes_to_target(options, mesh) && !context.limits.displacement;
+  const double fewest_left = ends_in_rounds ? plan.fewest_faces_left_before_rounds : plan.fewest_faces_left;
   const double share = std::max(fewest_left / static_cast<double>(plan.faces_per_block),
                                 target.share_of(mesh.faces.size(), mesh.positions.size()));
   const LevelContext level_context{context, mesh, share, progress};
@@ -136,9 +136,7 @@ StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh,
     is_done = is_exact_in_blocks(options) ? run_exact_levels(level_context, plan, left, report)
                                           : run_levels(level_context, plan, left, report);
   }
-  if (goes_to_target(options, mesh) && !context.limits.displacement && !progress.is_cancelled()) {
-    contract_in_rounds(level_context, target, left, report);
-  }
+  if (ends_in_rounds && !progress.is_cancelled()) contract_in_rounds(level_context, target, left, report);
   if (is_done) {
     surface = std::move(left);
   } else {

@@ -130,7 +130,7 @@ DecimateTarget Level::least_left(const Block& block, std::size_t number) const {
 void Level::begin(std::size_t number) {
   auto job = std::make_unique<Job>();
   job->options = options();
-  job->options.threads = 1;
+  job->options.threads = jobs_.size() > 1 ? 1 : threads();  // of several blocks each has a thread
   job->options.locked = {};
   job->options.progress = [&progress = context_.progress, is_trial = plan_.is_trial,
                            last = std::optional<std::uint64_t>{}](const Progress& p) mutable {

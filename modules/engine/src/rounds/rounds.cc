@@ -6,6 +6,7 @@
 
 #include "cost/make_cost.hh"
 #include "loop/contraction_log.hh"
+#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 
 namespace whittle {
@@ -71,7 +72,9 @@ void Rounds::list_pairs() {
   }
   n_pairs_ = static_cast<std::size_t>(next - scratch_->pairs.data());
   make_room(scratch_->costs, n_pairs_);
-  pair_costs_.rank(std::span(scratch_->pairs).first(n_pairs_), scratch_->costs);
+  for_each_range(n_pairs_, options_.threads, [this](std::size_t begin, std::size_t end) {
+    pair_costs_.rank(std::span(scratch_->pairs).subspan(begin, end - begin), std::span(scratch_->costs).subspan(begin));
+  });
   std::erase_if(special_, [this](Index v) { return mesh_.star(v).empty(); });
   for (const Index v : special_) list_pairs_at(v);
   for (std::size_t i = 0; i < n_pairs_; ++i) {

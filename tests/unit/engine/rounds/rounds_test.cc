@@ -17,7 +17,7 @@
 namespace whittle::test {
 namespace {
 
-DecimateOptions memoryless() {
+DecimateOptions options_of_rounds() {
   DecimateOptions options;
   options.cost = Cost::memoryless;
   return options;
@@ -67,7 +67,7 @@ class InRounds {
 
  private:
   const IndexedMesh& mesh_;
-  DecimateOptions options_ = memoryless();
+  DecimateOptions options_ = options_of_rounds();
   std::vector<std::uint8_t> frozen_, locked_;
   std::vector<Contraction> log_;
   ContractionLog end_of_log_{log_.data()};
