@@ -42,8 +42,10 @@ bool goes_to_target(const DecimateOptions& options, const IndexedMesh& mesh);
 /// Contracts most of what there is to contract in blocks that fit a cache, on all threads, and if `goes_to_target` the
 /// rest, too. Nothing depends on the number of threads.
 /// \param surface the input, or what is left of it. It stays, and `DecimateResult::why_in_one_pass` says why, if blocks
-/// can't do enough \param context with `StageLimits::displacement`, memoryless quadrics may cost anything \return
-/// `before` has the counts of the input, unless it was cancelled \pre why_not_in_blocks(…).empty()
+///        can't do enough
+/// \param context with `StageLimits::displacement`, memoryless quadrics may cost anything
+/// \return `before` has the counts of the input, unless it was cancelled, or the surface isn't the input
+/// \pre why_not_in_blocks(…).empty()
 StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh, const DecimateTarget& target,
                                const BlockPlan& plan, const StageContext& context);
 

@@ -32,7 +32,7 @@ RoundSize size_of_round(std::uint64_t n_wanted, std::size_t n_left) {
     const auto most = static_cast<std::uint64_t>(share * static_cast<double>(n_left));
     return RoundSize{std::min(n_wanted, std::max(fewest, most)), slack};
   };
-  if (share_wanted > 0.6) return size(0.4, 3);
+  if (share_wanted > 0.6) return size(share_of_large_round, slack_of_large_round);
   return share_wanted > 0.02 ? size(0.15, 1.3) : size(1, 3);
 }
 
@@ -58,7 +58,6 @@ class Level {
  private:
   struct Round {
     std::uint64_t n_turns;
-    std::uint64_t n_contractions;
     float cost;  ///< that might have been
   };
   double climb_in_rounds(const std::vector<std::size_t>& sample, double goal);
@@ -213,8 +212,7 @@ double Level::climb(const std::vector<std::size_t>& sample, double surplus) {
 /// All blocks of the sample in step. \param goal number of inner vertices that are to be left
 /// \return the highest cost of a round
 double Level::climb_in_rounds(const std::vector<std::size_t>& sample, double goal) {
-  constexpr double share = 0.4;
-  constexpr double slack = 3;
+  constexpr double share = share_of_large_round;
   constexpr double enough = 1.02;
   float cost = 0;
   while (!context_.progress.is_cancelled()) {
@@ -223,7 +221,7 @@ double Level::climb_in_rounds(const std::vector<std::size_t>& sample, double goa
     // Of the pairs that cost least about half can be contracted, so the last rounds are of a cost that leaves enough.
     const bool is_last = n_left - goal < share * n_left;
     const double n_pairs = is_last ? 2.2 * (n_left - goal) : share * n_left;
-    const RoundSize size{static_cast<std::uint64_t>(n_pairs), is_last ? 1 : slack};
+    const RoundSize size{static_cast<std::uint64_t>(n_pairs), is_last ? 1 : slack_of_large_round};
     const Round round = contract_in_step(sample, size);
     cost = std::max(cost, round.cost);
     if (round.n_turns == 0) break;
@@ -236,17 +234,11 @@ Level::Round Level::contract_in_step(const std::vector<std::size_t>& blocks, con
   const auto rounds_of = [&](std::size_t i) -> Rounds& { return *jobs_[blocks[i]]->block->rounds(); };
   for_each_block(blocks.size(), threads(), [&](std::size_t i) { rounds_of(i).begin_round(); });
   std::vector<const CostCounts*> counts;
-  std::uint64_t n_before = 0;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    counts.push_back(&rounds_of(i).cost_counts());
-    n_before += rounds_of(i).n_contractions();
-  }
+  for (std::size_t i = 0; i < blocks.size(); ++i) counts.push_back(&rounds_of(i).cost_counts());
   const std::vector<RoundLimit> limits = limits_of_parts(counts, size);
   std::vector<std::uint64_t> n_turns(blocks.size());
   for_each_block(blocks.size(), threads(), [&](std::size_t i) { n_turns[i] = rounds_of(i).contract(limits[i]); });
-  std::uint64_t n_after = 0;
-  for (std::size_t i = 0; i < blocks.size(); ++i) n_after += rounds_of(i).n_contractions();
-  return {std::accumulate(n_turns.begin(), n_turns.end(), std::uint64_t{0}), n_after - n_before, limits.front().cost};
+  return {std::accumulate(n_turns.begin(), n_turns.end(), std::uint64_t{0}), limits.front().cost};
 }
 
 std::size_t Level::n_inner_vertices_left(const std::vector<std::size_t>& blocks) const {

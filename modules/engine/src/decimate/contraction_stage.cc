@@ -194,8 +194,8 @@ bool StagedRun::is_at(const DecimateTarget& stop) const {
   return is_reached && !surface().is_input() && !is_cancelled() && !options_.keep_quadrics;
 }
 
-/// That nothing was to be done.
-DecimateResult StagedRun::add_to_report(StageReport report) {
+/// A stage in which nothing is to be done.
+DecimateResult StagedRun::end_at_once(StageReport report) {
   if (keeps_steps()) end_pass(report.steps);
   report.result.stop = StopReason::target;
   report.result.n_vertices = n_vertices_left();
@@ -209,7 +209,7 @@ DecimateResult StagedRun::contract(const DecimateTarget& stop, bool is_last, con
   WorkingSurface& surface = state_.surface;
   StageReport report;
   report.progress = state_.report.progress + (1 - state_.report.progress) * way_to(stop);
-  if (is_at(stop)) return add_to_report(std::move(report));
+  if (is_at(stop)) return end_at_once(std::move(report));
   const DecimateOptions options = options_of_stage(report.progress);
   Preparation preparation(options);
   ThresholdPairCounts pairs;

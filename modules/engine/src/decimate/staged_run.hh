@@ -71,7 +71,7 @@ class StagedRun {
   double way_to(const DecimateTarget& stop) const;
   static void tell_part_of_progress(double begin, double end, DecimateOptions& options);
   bool is_at(const DecimateTarget& stop) const;
-  DecimateResult add_to_report(StageReport report);
+  DecimateResult end_at_once(StageReport report);
   DecimateOptions options_of_stage(double end);
   ThresholdPairCounts prepare_input(const DecimateOptions& options, Preparation& preparation);
   void sum_attributes_of_surface();

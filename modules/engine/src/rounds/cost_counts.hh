@@ -22,6 +22,10 @@ struct RoundSize {
                  ///< take their places. [1, inf)
 };
 
+/// Of the vertices left, and the slack, of a round that is far from the target. Measured: docs/dev/rounds.md.
+inline constexpr double share_of_large_round = 0.4;
+inline constexpr double slack_of_large_round = 3;
+
 /// How many pairs there are of each class of costs.
 class CostCounts {
   static constexpr int shift = 17;

@@ -12,9 +12,6 @@
 namespace whittle {
 namespace {
 
-/// A part that is alone contracts so much of its vertices in a round. Measured: docs/dev/decisions.md.
-constexpr double share_alone = 0.4;
-constexpr double slack_alone = 3;
 /// A round that contracts less than this share of the vertices left isn't worth another.
 constexpr double least_gain = 0.1;
 constexpr std::uint64_t fewest_pairs = 16;
@@ -27,9 +24,9 @@ void Rounds::run(double cost) {
   while (!is_cancelled_ && !is_target_reached()) {
     begin_round();
     const auto n_left = static_cast<double>(n_inner_ - n_contractions_);
-    const auto n_pairs = std::max(fewest_pairs, static_cast<std::uint64_t>(share_alone * n_left));
+    const auto n_pairs = std::max(fewest_pairs, static_cast<std::uint64_t>(share_of_large_round * n_left));
     const CostCounts* const counts = &cost_counts();
-    RoundLimit limit = limits_of_parts({&counts, 1}, {n_pairs, slack_alone}).front();
+    RoundLimit limit = limits_of_parts({&counts, 1}, {n_pairs, slack_of_large_round}).front();
     const bool may_go_on = limit.cost < cost;
     if (!may_go_on) limit.cost = CostCounts::in_range(cost);
     const std::uint64_t n_before = n_contractions_;
@@ -252,10 +249,13 @@ void Rounds::merge_planes(const VertexPair& pair, Index survivor, Index removed,
     remembered_.set(survivor, merged(placed(a), placed(b), position, ranked.is_minimum).quadric, flags_.size());
     seams_.erase(survivor);
   } else if ((flags & on_seam) != 0) {
-    Quadric sum;
-    if (const Quadric* const seams = seams_.find(a)) sum += seams->about(position - Vec3(mesh_.point(a)));
-    if (const Quadric* const seams = seams_.find(b)) sum += seams->about(position - Vec3(mesh_.point(b)));
-    seams_.set(survivor, sum, flags_.size());
+    Change change;
+    change.pair = {invalid_index, a, b};
+    change.survivor = survivor;
+    change.removed = removed;
+    change.before = {mesh_.point(a), mesh_.point(b)};
+    change.position = position;
+    seams_.merge(change);
   }
   if (flags_[survivor] == 0) special_.push_back(survivor);
   flags_[survivor] = (flags & on_border) != 0 ? static_cast<std::uint8_t>(flags & ~on_seam) : flags;

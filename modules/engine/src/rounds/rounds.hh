@@ -24,9 +24,10 @@ namespace whittle {
 ///   rank all pairs
 ///   take those that cost little in the order of cost, by its leading bits, and then of their numbers:
 ///     if one of the two was merged in this round: the pair waits for the next one
+///     if the link condition refuses it: count that; the pair waits until the faces at one of the two change
 ///     if the faces at one of the two have changed: sum up its planes, and rank the pair anew
 ///     if the pair costs more than a round may: it waits
-///     if a guard refuses it: count that; the pair waits until the faces at one of the two change
+///     if another guard refuses it: as the link condition
 ///     else contract
 ///
 /// A vertex where the surface isn't manifold, and one that is frozen, takes part in no contraction. A vertex on a
