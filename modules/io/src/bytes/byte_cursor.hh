@@ -21,6 +21,7 @@ class ByteCursor {
   std::size_t offset() const { return at_; }
   std::size_t bytes_left() const { return bytes_.size() - at_; }
   const char* here() const { return bytes_.data() + at_; }
+  std::endian order() const { return order_; }
   void set_order(std::endian order) { order_ = order; }
 
   /// \pre `count` bytes are left.

@@ -43,6 +43,10 @@ std::string TextCursor::excerpt(const char* where) const {
   return token.size() <= longest ? text : text + "...";
 }
 
+void TextCursor::fail_too_large(const char* where, std::string_view what) const {
+  fail(where, std::string(what) + " is too large: " + excerpt(where));
+}
+
 void TextCursor::fail_token(const char* where, std::string_view what) const {
   TextCursor rest = *this;
   rest.at_ = where;

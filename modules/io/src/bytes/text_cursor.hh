@@ -127,7 +127,7 @@ class TextCursor {
     const char* const digits = first != end_ && *first == '+' ? first + 1 : first;
     std::int64_t value = 0;
     const auto [last, error] = std::from_chars(digits, end_, value);
-    if (error == std::errc::result_out_of_range) fail(first, std::string(what) + " is too large: " + excerpt(first));
+    if (error == std::errc::result_out_of_range) fail_too_large(first, what);
     if (error != std::errc{}) fail_token(first, what);
     at_ = last;
     return value;
@@ -149,6 +149,8 @@ class TextCursor {
 
   /// \throw ReadError: `what` was expected at `where`, with the text found instead.
   [[noreturn]] void fail_token(const char* where, std::string_view what) const;
+  /// \throw ReadError: the number at `where` doesn't fit.
+  [[noreturn]] void fail_too_large(const char* where, std::string_view what) const;
 
   std::uint64_t line_of(const char* where) const;
 

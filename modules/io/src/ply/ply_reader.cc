@@ -176,16 +176,58 @@ class BodyReader {
       size += size_of(property.type);
     }
     const auto count = static_cast<std::size_t>(element.count);
-    try {
-      for_each_range(count, threads_, [&](std::size_t begin, std::size_t end) {
-        Source source = source_.further(begin * size);
-        for (std::size_t v = begin; v < end; ++v) read_vertex(source, element, plan, targets, v);
-      });
-    } catch (const ReadError&) {
-      return false;
-    }
+    const PlyRows rows = source_.rows(size);
+    std::atomic<bool> are_finite = true;
+    for_each_range(count, threads_, [&](std::size_t begin, std::size_t end) {
+      if (!read_columns(rows, element, plan, targets, begin, end)) are_finite = false;
+    });
+    if (!are_finite) return false;
     source_.skip_bytes(count * size);
     return true;
+  }
+
+  // Reads some of the vertices, property by property. Returns whether all coordinates are finite.
+  bool read_columns(const PlyRows& rows, const PlyElement& element, const PlyVertexPlan& plan,
+                    const std::vector<Target>& targets, std::size_t begin, std::size_t end) {
+    std::size_t place = 0;
+    for (std::size_t p = 0; p < plan.roles.size(); ++p) {
+      const PlyType type = element.properties[p].type;
+      const auto each = [&](const auto& use) { for_each_number(rows.from(begin), end - begin, place, type, use); };
+      read_column(each, plan, plan.roles[p], targets[p], begin);
+      place += size_of(type);
+    }
+    if (plan.colors && !plan.has[alpha]) {
+      for (std::size_t v = begin; v < end; ++v) builder_.colors()[v][3] = opaque;
+    }
+    return std::all_of(builder_.positions().begin() + static_cast<std::ptrdiff_t>(begin),
+                       builder_.positions().begin() + static_cast<std::ptrdiff_t>(end),
+                       [](const Vec3& position) { return position.allFinite(); });
+  }
+
+  // \param each calls what it is given with each number, and its row from `begin` on
+  template <class Each>
+  void read_column(const Each& each, const PlyVertexPlan& plan, PlyRole role, const Target& target, std::size_t begin) {
+    if (role <= z) {
+      Vec3* const to = builder_.positions().data() + begin;
+      const auto axis = static_cast<Eigen::Index>(role);
+      each([=](std::size_t i, auto number) { to[i][axis] = static_cast<double>(number); });
+    } else if (role <= nz) {
+      if (!plan.normals) return;
+      auto* const to = builder_.normals().data() + begin;
+      each([=](std::size_t i, auto number) { to[i][role - nx] = static_cast<float>(number); });
+    } else if (role <= alpha) {
+      if (!plan.colors) return;
+      Color* const to = builder_.colors().data() + begin;
+      const double unit = plan.color_units[role - red];
+      each([=](std::size_t i, auto number) {
+        to[i][role - red] = static_cast<float>(static_cast<double>(number) / unit);
+      });
+    } else if (role == tolerance) {
+      double* const to = builder_.tolerances().data() + begin;
+      each([=](std::size_t i, auto number) { to[i] = static_cast<double>(number); });
+    } else if (target.values != nullptr) {
+      each([&](std::size_t i, auto number) { target.set(begin + i, static_cast<double>(number)); });
+    }
   }
 
   // Warns of lost properties.
@@ -299,16 +341,10 @@ class BodyReader {
     }
     const std::vector<Target> targets = targets_of(plan.others, attributes);
     std::atomic<bool> are_triangles = true;
-    try {
-      for_each_range(count, threads_, [&](std::size_t begin, std::size_t end) {
-        Source source = source_.further(begin * size);
-        for (std::size_t f = begin; f < end && are_triangles.load(std::memory_order_relaxed); ++f) {
-          if (!read_fixed_triangle(source, element, plan, targets, f, read)) are_triangles = false;
-        }
-      });
-    } catch (const ReadError&) {
-      are_triangles = false;
-    }
+    const PlyRows rows = source_.rows(size);
+    for_each_range(count, threads_, [&](std::size_t begin, std::size_t end) {
+      if (!read_triangle_columns(rows, element, plan, targets, begin, end, read)) are_triangles = false;
+    });
     if (!are_triangles) {
       for (Attribute& attribute : attributes) attribute.values.resize(attribute.n_components * builder_.face_count());
       return false;
@@ -323,26 +359,50 @@ class BodyReader {
     std::vector<double> texcoords;
   };
 
-  // \return false if it isn't a triangle, or lacks texture coordinates
-  bool read_fixed_triangle(Source& source, const PlyElement& element, const PlyFacePlan& plan,
-                           const std::vector<Target>& targets, std::size_t f, Triangles& read) const {
+  // Reads some of the faces, property by property. Returns false if one isn't a triangle, lacks texture coordinates, or
+  // has a corner that is no vertex.
+  bool read_triangle_columns(const PlyRows& rows, const PlyElement& element, const PlyFacePlan& plan,
+                             const std::vector<Target>& targets, std::size_t begin, std::size_t end,
+                             Triangles& read) const {
+    const PlyRows own = rows.from(begin);
+    const std::size_t n = end - begin;
+    std::size_t place = 0;
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
       const PlyProperty& property = element.properties[p];
-      if (p == plan.corners) {
-        if (source.length(*property.count_type, "the length of a list") != 3) return false;
-        read.faces[f] = read_triangle(source, property.type);
-      } else if (p == plan.texcoords) {
-        if (source.length(*property.count_type, "the length of a list") != 6) return false;
-        for (std::size_t i = 0; i < 6; ++i) {
-          read.texcoords[6 * f + i] = source.list_number(property.type, "a texture coordinate");
+      const bool are_corners = p == plan.corners;
+      const std::size_t length = are_corners ? 3 : p == plan.texcoords ? 6 : 1;
+      if (property.count_type) {
+        if (!all_are(static_cast<std::int64_t>(length), own, n, place, *property.count_type)) return false;
+        place += size_of(*property.count_type);
+      }
+      for (std::size_t i = 0; i < length; ++i, place += size_of(property.type)) {
+        const auto each = [&](const auto& use) { for_each_number(own, n, place, property.type, use); };
+        if (are_corners) {
+          if (!read_corners(each, i, read.faces.data() + begin)) return false;
+        } else if (p == plan.texcoords) {
+          double* const to = read.texcoords.data() + 6 * begin + i;
+          each([=](std::size_t f, auto number) { to[6 * f] = static_cast<double>(number); });
+        } else if (targets[p].values != nullptr) {
+          const std::size_t first = builder_.face_count() + begin;
+          each([&](std::size_t f, auto number) { targets[p].set(first + f, static_cast<double>(number)); });
         }
-      } else if (targets[p].values != nullptr) {
-        targets[p].set(builder_.face_count() + f, source.number(property.type, "a face property"));
-      } else {
-        source.skip(property.type, 1, element.name);
       }
     }
     return true;
+  }
+
+  // The corners of faces at one place. Returns whether all are vertices.
+  template <class Each>
+  bool read_corners(const Each& each, std::size_t place, Triangle* faces) const {
+    bool are_vertices = true;
+    each([&, n_vertices = vertices_](std::size_t f, auto number) {
+      const auto value = static_cast<double>(number);
+      const bool is_vertex = value >= 0 && value < static_cast<double>(n_vertices);
+      const Index vertex = is_vertex ? static_cast<Index>(value) : 0;
+      are_vertices &= is_vertex && static_cast<double>(vertex) == value;
+      faces[f][place] = vertex;
+    });
+    return are_vertices;
   }
 
   void add_fixed_triangles(Triangles read) {
@@ -354,12 +414,6 @@ class BodyReader {
       builder_.corner_texcoords().values = std::move(read.texcoords);
     }
     builder_.add_triangles(std::move(read.faces));
-  }
-
-  Triangle read_triangle(Source& source, PlyType type) const {
-    const Index a = read_corner(source, type);
-    const Index b = read_corner(source, type);
-    return {a, b, read_corner(source, type)};
   }
 
   Index read_corner(Source& source, PlyType type) const {

@@ -8,6 +8,7 @@
 #include "bytes/byte_cursor.hh"
 #include "bytes/text_cursor.hh"
 #include "ply/ply_header.hh"
+#include "ply/ply_rows.hh"
 
 // Where the reader takes numbers from. A source knows the encoding.
 
@@ -121,13 +122,10 @@ class PlyBinarySource {
     cursor_.require(count * size_of(type), what);
     cursor_.skip(count * size_of(type));
   }
+  // Rows of `size` bytes each, from here on.
+  PlyRows rows(std::size_t size) const { return {cursor_.here(), size, cursor_.order()}; }
   // \pre `bytes` bytes are left.
   void skip_bytes(std::size_t bytes) { cursor_.skip(bytes); }
-  PlyBinarySource further(std::size_t bytes) const {
-    PlyBinarySource source = *this;
-    source.skip_bytes(bytes);
-    return source;
-  }
 
   // Padding at the end is harmless. Anything else contradicts the header.
   void finish() {
