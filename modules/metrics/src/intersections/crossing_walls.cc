@@ -5,7 +5,6 @@
 
 #include "intersections/face_intersections.hh"
 #include "intersections/vertex_map.hh"
-#include "whittle/core/detail/drop.hh"
 #include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/parts.hh"
 
@@ -55,16 +54,20 @@ Origins origins_of(const FacePairs& pairs, const IndexedMesh& after, const Index
     return to != invalid_index && is_asked[to] ? to : invalid_index;
   };
   Origins origins;
-  origins.mesh.positions = before.positions;
-  std::vector<char> is_used(before.positions.size());
+  std::vector<Index> used;
   for (const Triangle& face : before.faces) {
     const Image image{became(face[0]), became(face[1]), became(face[2])};
     if (image == Image{invalid_index, invalid_index, invalid_index}) continue;
     origins.mesh.faces.push_back(face);
     origins.images.push_back(image);
-    for (const Index v : face) is_used[v] = 1;
+    used.insert(used.end(), face.begin(), face.end());
   }
-  drop_vertices(origins.mesh, [&](std::size_t v) { return is_used[v] == 0; });
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (const Index v : used) origins.mesh.positions.push_back(before.positions[v]);
+  for (Triangle& face : origins.mesh.faces) {
+    for (Index& v : face) v = static_cast<Index>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+  }
   return origins;
 }
 
