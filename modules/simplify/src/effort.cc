@@ -1,8 +1,9 @@
+#include "effort.hh"
+
 #include <utility>
 #include <vector>
 
 #include "whittle/engine/two_sided_sheets.hh"
-#include "whittle/simplify/simplify.hh"
 
 namespace whittle {
 namespace {
@@ -25,12 +26,13 @@ unsigned passes_by_effort(Effort effort, const SimplifyOptions& options) {
   return effort == Effort::best || options.fit == Fit::max ? 2 : 1;
 }
 
-/// Without the backs of two-sided sheets, which the engine leaves out.
+/// Whether memoryless quadrics are quick. Whether contractions are told makes no difference.
 bool memoryless_goes_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target, DecimateOptions options) {
+  if (options.cost || needs_plain_quadrics(options)) return false;
   options.cost = Cost::memoryless;
-  if (!goes_in_blocks(mesh, target, options)) return false;
-  const TwoSidedSheets sheets(mesh);
-  return !sheets.any() || goes_in_blocks(sheets.without_backs(), target, options);
+  options.listener = {};
+  options.keep_steps = false;
+  return goes_in_blocks(mesh, target, options);
 }
 
 std::vector<double> pauses_by_effort(Effort effort, const DecimateOptions& options) {
@@ -55,16 +57,33 @@ SimplifyOptions with_effort(Effort effort, SimplifyOptions options) {
   return options;
 }
 
-SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const IndexedMesh& mesh,
-                            const DecimateTarget& target) {
-  if (!options.decimate.cost && !needs_plain_quadrics(options.decimate) &&
-      memoryless_goes_in_blocks(mesh, target, options.decimate)) {
-    options.decimate.cost = Cost::memoryless;
-  }
+namespace {
+
+SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const DecimateTarget& target,
+                            bool is_memoryless_quick) {
+  if (is_memoryless_quick) options.decimate.cost = Cost::memoryless;
   if (target.error_limit()) options.flips = false;
   const bool has_count = target.n_faces() || target.n_vertices();
   if (!has_count || target.error_limit()) options.pauses = std::vector<double>{};
   return with_effort(effort, std::move(options));
+}
+
+}  // namespace
+
+SimplifyOptions with_effort_on_one_side(Effort effort, SimplifyOptions options, const IndexedMesh& mesh,
+                                        const DecimateTarget& target) {
+  const bool is_quick = memoryless_goes_in_blocks(mesh, target, options.decimate);
+  return with_effort(effort, std::move(options), target, is_quick);
+}
+
+SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const IndexedMesh& mesh,
+                            const DecimateTarget& target) {
+  bool is_quick = memoryless_goes_in_blocks(mesh, target, options.decimate);
+  if (is_quick) {  // the engine leaves out the backs of two-sided sheets
+    const TwoSidedSheets sheets(mesh);
+    is_quick = !sheets.any() || memoryless_goes_in_blocks(sheets.without_backs(), target, options.decimate);
+  }
+  return with_effort(effort, std::move(options), target, is_quick);
 }
 
 }  // namespace whittle

@@ -10,6 +10,7 @@
 
 #include "cost_comparison.hh"
 #include "decimation_polisher.hh"
+#include "effort.hh"
 #include "simplify_sheets.hh"
 #include "whittle/core/progress.hh"
 #include "whittle/engine/attributes.hh"
@@ -113,7 +114,7 @@ void fit_attributes_of(const IndexedMesh& original, const SimplifyOptions& optio
 Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
                         const SimplifyOptions& options) {
   if (const TwoSidedSheets sheets(mesh); sheets.any()) return simplify_sheets(sheets, target, effort, options);
-  const SimplifyOptions settled = with_effort(effort, options, mesh, target);
+  const SimplifyOptions settled = with_effort_on_one_side(effort, options, mesh, target);
   DecimationPolisher polisher(mesh);
   Simplification result = better_of_both(mesh, target, settled, polisher);
   finish_attributes_of(mesh, settled, result);
@@ -176,7 +177,7 @@ std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const st
   if (const TwoSidedSheets sheets(mesh); sheets.any())
     return simplify_sheets_to_levels(sheets, targets, effort, options);
   if (count_of(targets.back()) == 0) return levels_to_zero(mesh, targets, effort, options);
-  SimplifyOptions settled = with_effort(effort, options, mesh, targets.front());
+  SimplifyOptions settled = with_effort_on_one_side(effort, options, mesh, targets.front());
   settled.pauses->clear();
   SimplifyOptions without_flips = settled;
   without_flips.flips = false;
