@@ -135,13 +135,14 @@ void check_order(const DecimateCase& c, const std::vector<Contraction>& made) {
 void check_blocks_in_exact_order(DecimateCase c, const BlockPlan& plan) {
   if (c.n_calls_left) return;
   c.options.threads = 2;
-  if (!why_not_in_blocks(c.mesh, c.target, c.options, nullptr, plan).empty()) return;
+  if (!why_not_in_blocks(c.mesh, c.target, c.options, nullptr, plan, false).empty()) return;
   check_same(run(c), whittle::run(c.mesh, c.target, c.options, nullptr, plan), "blocks keep the exact order");
 }
 
 /// What goes in blocks keeps all promises in blocks of a few faces.
 void check_blocks(DecimateCase c) {
   constexpr BlockPlan plan{.fewest_faces = 1,
+                           .fewest_faces_in_detail = 1,
                            .fewest_faces_again = 1,
                            .faces_per_block = 8,
                            .fewest_faces_left = 1,
@@ -152,7 +153,7 @@ void check_blocks(DecimateCase c) {
                            .faces_per_block_in_exact_order = {24, 16},
                            .least_done_in_exact_order = 0};
   if (is_exact_in_blocks(c.options)) return check_blocks_in_exact_order(c, plan);
-  if (!why_not_in_blocks(c.mesh, c.target, c.options, nullptr, plan).empty()) return;
+  if (!why_not_in_blocks(c.mesh, c.target, c.options, nullptr, plan, false).empty()) return;
   std::vector<Contraction> made;
   unsigned n_calls = 0;
   if (c.n_calls_left) c.options.progress = [&](const Progress&) { return n_calls++ < *c.n_calls_left; };

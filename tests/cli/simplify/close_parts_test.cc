@@ -118,7 +118,7 @@ TEST(Weld, KeepsTheVertexMapTrue) {
 TEST(CloseParts, AreWarnedOfIfTheyMeet) {
   const TemporaryFolder folder;
   const std::string mesh = write_near_spheres(folder);
-  const std::vector<std::string> run{"simplify", mesh, "-o", folder / "out.ply", "--face-ratio", "4%", "--json", "-"};
+  const std::vector<std::string> run{"simplify", mesh, "-o", folder / "out.ply", "--face-ratio", "2%", "--json", "-"};
   const Outcome met = whittle(run);
   EXPECT_NE(met.err.find("of parts intersect"), std::string::npos) << met;
   EXPECT_NE(met.err.find("'--self-intersections refuse'"), std::string::npos) << met;

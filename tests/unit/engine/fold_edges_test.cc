@@ -58,7 +58,7 @@ TEST(FoldEdges, KeepMeshesOutOfBlocksInExactOrder) {
   options.hold_folds = true;
   options.threads = 2;
   const auto why_not = [&](const IndexedMesh& mesh) {
-    return why_not_in_blocks(mesh, DecimateTarget::faces(80), options, nullptr, plan);
+    return why_not_in_blocks(mesh, DecimateTarget::faces(80), options, nullptr, plan, false);
   };
   EXPECT_EQ(why_not(two_sided_leaf(12)), "folds are held");
   EXPECT_EQ(why_not(sphere(3)), "");

@@ -51,7 +51,9 @@ class Level {
   std::optional<double> run(const LevelGoal& goal, StageReport& report);
   /// \pre there is one block, and it goes in rounds
   void contract_as_one(const DecimateTarget& target, StageReport& report);
+  void begin(const std::vector<std::size_t>& sample);
   /// Finds the cost that leaves as many of the sample's inner vertices as wanted, and runs the sample up to it.
+  /// \pre the sample has begun
   double climb(const std::vector<std::size_t>& sample, double surplus);
   std::vector<std::size_t> choose_sample(std::size_t every) const;
 
@@ -77,6 +79,7 @@ class Level {
   void begin(std::size_t number);
   void finish(std::size_t number);
   bool is_futile(const LevelGoal& goal);
+  double n_nonmanifold(const std::vector<std::size_t>& sample) const;
   void run_others(double cost, std::optional<SharedStars>& shared_stars);
   void begin_log();
   std::span<Contraction> log_of(std::size_t number);
@@ -191,8 +194,11 @@ void Level::tell(StageReport& report) {
   if (context_.stage.keeps_steps) end_pass(report.steps);
 }
 
-double Level::climb(const std::vector<std::size_t>& sample, double surplus) {
+void Level::begin(const std::vector<std::size_t>& sample) {
   for_each_block(sample.size(), threads(), [&](std::size_t i) { begin(sample[i]); });
+}
+
+double Level::climb(const std::vector<std::size_t>& sample, double surplus) {
   const auto sum = [&](auto n_of) {
     return std::accumulate(sample.begin(), sample.end(), 0.0, [&](double so_far, std::size_t number) {
       return so_far + static_cast<double>(n_of(*jobs_[number]->block));
@@ -305,6 +311,13 @@ bool Level::is_futile(const LevelGoal& goal) {
   return done < goal.least_done * wanted;
 }
 
+/// About how many edges and vertices of the input aren't manifold. \pre the sample has begun
+double Level::n_nonmanifold(const std::vector<std::size_t>& sample) const {
+  std::uint64_t n = 0;
+  for (const std::size_t number : sample) n += nonmanifold_[number].edges + nonmanifold_[number].vertices;
+  return static_cast<double>(n) * static_cast<double>(jobs_.size()) / static_cast<double>(sample.size());
+}
+
 void Level::run_others(double cost, std::optional<SharedStars>& shared_stars) {
   const std::vector<std::size_t> others = largest_first_of_others();
   for_each_block(others.size() + 1, threads(), [&](std::size_t i) {
@@ -351,6 +364,8 @@ std::optional<double> Level::run(const LevelGoal& goal, StageReport& report) {
   std::optional<double> cost = goal.cost;
   if (!cost) {
     const std::vector<std::size_t> sample = choose_sample(8);
+    begin(sample);
+    if (n_nonmanifold(sample) > goal.most_nonmanifold) return std::nullopt;
     cost = climb(sample, goal.surplus);
     for_each_block(sample.size(), threads(), [&](std::size_t i) { finish(sample[i]); });
   }
@@ -364,7 +379,9 @@ std::optional<double> Level::run(const LevelGoal& goal, StageReport& report) {
 
 double find_cost(const LevelContext& context, const LevelPlan& plan, double surplus, WorkingSurface& surface) {
   Level level(context, plan, surface);
-  return level.climb(level.choose_sample(16), surplus);
+  const std::vector<std::size_t> sample = level.choose_sample(16);
+  level.begin(sample);
+  return level.climb(sample, surplus);
 }
 
 std::optional<double> run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct LevelGoal {
   std::optional<double> cost;  ///< in the frame; empty: a sample of the blocks finds it
   double surplus = 1;          ///< how many times the target's share the sample is to leave
   double least_done = 0;       ///< share of what the target asks for; if two blocks do less, nothing is done
+  /// Non-manifold edges and vertices of the input. If there are more, by a sample of the blocks, nothing is done.
+  double most_nonmanifold = std::numeric_limits<double>::infinity();
 };
 
 /// The cost that a sample of the blocks finds. \pre the plan is a trial
@@ -37,7 +40,7 @@ double find_cost(const LevelContext& context, const LevelPlan& plan, double surp
 /// Contracts what lies within blocks, all up to the same cost, and puts together what is left.
 /// \param surface with cost state \param report gets what was done. `before` are counts of the surface, if it is the
 ///        input, unless the level was cancelled
-/// \return the cost, in the frame; none if blocks can't do enough in exact order
+/// \return the cost, in the frame; none if nothing was done
 std::optional<double> run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal,
                                 WorkingSurface& surface, StageReport& report);
 

@@ -26,7 +26,7 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
 }
 
 bool goes_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
-  return why_not_in_blocks(mesh, target, options, nullptr, {}).empty();
+  return why_not_in_blocks(mesh, target, options, nullptr, {}, options.listener || options.keep_steps).empty();
 }
 
 }  // namespace whittle

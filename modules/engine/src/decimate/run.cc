@@ -28,7 +28,8 @@ bool is_beyond_target(const DecimateResult& in_blocks, const DecimateResult& aft
 void contract_to_target(StagedRun& run, const BlockPlan& plan) {
   const std::vector<DecimateTarget> all_stops = run.stops();
   const DecimateResult in_blocks = run.contract_in_blocks(target_of_blocks(run, all_stops.front(), plan), plan);
-  const bool goes_on_in_rounds = in_blocks.why_in_one_pass.empty() && goes_to_target(run.options(), run.mesh());
+  const bool goes_on_in_rounds = in_blocks.why_in_one_pass.empty() && goes_to_target(run.options(), run.mesh()) &&
+                                 is_nearly_manifold(in_blocks.before, all_stops.front(), run.mesh());
   const std::vector<DecimateTarget> stops = goes_on_in_rounds ? all_stops : run.stops();
   const auto contract_to_stop = [&](std::size_t i) { return run.contract(stops[i], i + 1 == stops.size()); };
   const DecimateResult first = contract_to_stop(0);
@@ -65,7 +66,7 @@ Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const Deci
   if (target.error_limit() && has_faces) {
     std::unique_ptr<ErrorBounds> bounds = ErrorLimitedRun(stages).contract(plan);
     if (error_bounds != nullptr) *error_bounds = std::move(bounds);
-    stages.report().result.why_in_one_pass = why_not_in_blocks(mesh, target, options, host, plan);
+    stages.report().result.why_in_one_pass = why_not_in_blocks(mesh, target, options, host, plan, false);
   } else {
     contract_to_target(stages, plan);
   }

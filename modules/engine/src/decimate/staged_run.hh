@@ -66,6 +66,7 @@ class StagedRun {
   const KeptAreas& areas();
   bool is_listener_told_at_end() const { return options_.listener && target_.error_limit(); }
   bool keeps_steps() const { return options_.keep_steps || is_listener_told_at_end() || keeps_steps_of_all_; }
+  bool is_told() const { return options_.listener || keeps_steps(); }
   void note_nonmanifold(const DecimateResult& result);
   // contraction_stage.cc
   double way_to(const DecimateTarget& stop) const;

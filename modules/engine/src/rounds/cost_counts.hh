@@ -44,18 +44,33 @@ class CostCounts {
   static constexpr std::uint32_t n_classes = (std::bit_cast<std::uint32_t>(never) >> shift) + 1;
 
   void count(std::span<const float> costs) {
-    counts_.assign(n_classes, 0);
+    clear();
+    add(costs);
+  }
+  void clear() {
+    if (counts_.empty()) counts_.resize(n_classes);
+    for (std::uint32_t k = first_; k < end_; ++k) counts_[k] = 0;
     first_ = n_classes;
+    end_ = 0;
+  }
+  /// \pre clear
+  void add(std::span<const float> costs) {
+    std::uint32_t first = first_;
+    std::uint32_t end = end_;
     for (const float cost : costs) {
       const std::uint32_t k = class_of(cost);
       ++counts_[k];
-      first_ = std::min(first_, k);
+      first = std::min(first, k);
+      end = std::max(end, k + 1);
     }
+    first_ = first;
+    end_ = end;
   }
   CostCounts& operator+=(const CostCounts& o) {
-    if (counts_.empty()) counts_.resize(n_classes);
-    for (std::uint32_t k = o.first_; k < n_classes; ++k) counts_[k] += o.counts_[k];
+    if (counts_.empty()) clear();
+    for (std::uint32_t k = o.first_; k < o.end_; ++k) counts_[k] += o.counts_[k];
     first_ = std::min(first_, o.first_);
+    end_ = std::max(end_, o.end_);
     return *this;
   }
   std::uint32_t operator[](std::size_t cost_class) const { return counts_[cost_class]; }
@@ -64,7 +79,8 @@ class CostCounts {
 
  private:
   std::vector<std::uint32_t> counts_;  ///< by class
-  std::uint32_t first_ = n_classes;
+  std::uint32_t first_ = n_classes;    ///< lower classes have no pairs
+  std::uint32_t end_ = 0;              ///< neither have this one and higher ones
 };
 
 /// The limits of parts in one round: all have one limit of the cost. Of the pairs that cost least in all, each may

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "rounds/cost_counts.hh"
@@ -37,6 +38,20 @@ class HeldPairs {
     const auto at = std::lower_bound(held_.begin(), held_.end(), pair,
                                      [](const Held& held, const VertexPair& sought) { return held.pair < sought; });
     return at != held_.end() && at->pair == pair ? std::max(cost, at->cost) : cost;
+  }
+  /// Raises the costs of pairs to what they cost. \param pairs ascending by their first vertices
+  void raise(std::span<const VertexPair> pairs, std::span<float> costs) const {
+    if (pairs.empty()) return;
+    auto held = std::lower_bound(held_.begin(), held_.end(), pairs.front().a,
+                                 [](const Held& h, Index a) { return h.pair.a < a; });
+    for (; held != held_.end() && held->pair.a <= pairs.back().a; ++held) {
+      auto at = std::lower_bound(pairs.begin(), pairs.end(), held->pair.a,
+                                 [](const VertexPair& pair, Index a) { return pair.a < a; });
+      while (at != pairs.end() && at->a == held->pair.a && at->b != held->pair.b) ++at;
+      if (at == pairs.end() || *at != held->pair) continue;
+      float& cost = costs[static_cast<std::size_t>(at - pairs.begin())];
+      cost = std::max(cost, held->cost);
+    }
   }
 
  private:

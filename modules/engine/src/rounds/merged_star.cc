@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "complex/link_condition.hh"
 #include "rounds/lane_points.hh"
 #include "whittle/core/geometry/nearest_on_triangle.hh"
 
 namespace whittle {
 
-bool MergedStar::gather(const VertexPair& pair, std::array<bool, 2> on_border) {
+bool MergedStar::gather(const VertexPair& pair, std::array<bool, 2> is_irregular) {
   const auto [a, b] = pair;
   const std::span<const LinkEdge> first = mesh_.star(a);
   const std::span<const LinkEdge> second = mesh_.star(b);
@@ -53,29 +54,39 @@ bool MergedStar::gather(const VertexPair& pair, std::array<bool, 2> on_border) {
   }
   n_ = n;
   for (std::size_t i = n; i < n + n_lanes<Double4> && n > 0; ++i) others_[i] = others_[n - 1];  // for lanes
-  if (n_common_faces == 0 || n_common_faces > 2 || n_common_neighbours != n_common_faces) return false;
-  if (n == 0) return false;  // the part would vanish
-  if (on_border[0] && on_border[1]) return n_common_faces == 1;
+  if (is_irregular[0] || is_irregular[1]) return keeps_topology(is_irregular);
   // With one face each beside the common ones, both would lie over the same edge: a tetrahedron.
-  return n_first_ > 1 || n - n_first_ > 1;
+  return n_common_faces == 2 && n_common_neighbours == 2 && (n_first_ > 1 || n - n_first_ > 1);
 }
 
-StarPlanes MergedStar::planes(std::size_t end, const QuadricOptions& options) {
+/// \pre one of the two vertices is irregular
+bool MergedStar::keeps_topology(std::array<bool, 2> is_irregular) {
+  if (!link_) link_.emplace(mesh_.n_vertices());
+  std::array<VertexKind, 2> kinds{VertexKind::regular, VertexKind::regular};
+  for (std::size_t end = 0; end < 2 && is_irregular[0] && is_irregular[1]; ++end) {
+    link_->gather(gather_faces(end));
+    kinds[end] = link_->kind();
+  }
+  return link_condition(*link_, {others_at(0), others_at(1), opposites(), kinds});
+}
+
+/// The faces of one star of the pair, as they are now.
+std::span<const LinkEdge> MergedStar::gather_faces(std::size_t end) {
   const auto [a, b] = pair_;
-  const std::span<const LinkEdge> others =
-      end == 0 ? std::span(others_).first(n_first_) : std::span(others_).subspan(n_first_, n_ - n_first_);
+  const std::span<const LinkEdge> others = others_at(end);
   const std::size_t n = others.size() + n_opposite_;
-  if (all_.size() < n + n_lanes<Double4>) all_.resize(2 * (n + n_lanes<Double4>));
+  make_room(all_, n);
   LinkEdge* next = std::copy(others.begin(), others.end(), all_.data());
   const Index other = end == 0 ? b : a;
   for (std::size_t i = 0; i < n_opposite_; ++i) {
     const bool is_other_first = (turns_[i] > 0) == (end == 0);
     *next++ = is_other_first ? LinkEdge{other, opposites_[i]} : LinkEdge{opposites_[i], other};
   }
-  const Index vertex = end == 0 ? a : b;
-  std::size_t n_padded = n;
-  for (; n_padded % n_lanes<Double4> != 0; ++n_padded) *next++ = {vertex, vertex};
-  return planes_of_star(vertex, std::span(all_).first(n_padded), mesh_.points(), options);
+  return std::span(all_).first(n);
+}
+
+StarPlanes MergedStar::planes(std::size_t end, const QuadricOptions& options) {
+  return planes_of_star(end == 0 ? pair_.a : pair_.b, gather_faces(end), mesh_.points(), options);
 }
 
 StarVolume MergedStar::volume(const StarPlanes& a, const StarPlanes& b, const Vec3& origin) const {

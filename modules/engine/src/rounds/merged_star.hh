@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "complex/link.hh"
 #include "rounds/round_mesh.hh"
 #include "whittle/core/vertex_pair.hh"
 #include "whittle/engine/formula/flip_limit.hh"
@@ -17,11 +19,12 @@ class MergedStar {
   explicit MergedStar(const RoundMesh& mesh) : mesh_(mesh), marks_(mesh.n_vertices()) {}
 
   /// Looks at a pair, both vertices of which are left, as their faces are now.
-  /// \return whether the contraction keeps the topology, if no more than one line of border edges goes through either
-  ///         vertex (the link condition, link_condition.hh) \param on_border of each vertex, whether one does
-  bool gather(const VertexPair& pair, std::array<bool, 2> on_border);
+  /// \return whether the contraction keeps the topology (the link condition, link_condition.hh)
+  /// \param is_irregular of each vertex, false if its faces are one closed fan
+  bool gather(const VertexPair& pair, std::array<bool, 2> is_irregular);
 
   std::size_t n_faces() const { return n_; }
+  std::span<const LinkEdge> others() const { return std::span(others_).first(n_); }
   LinkEdge others(std::size_t i) const { return others_[i]; }
   Index apex(std::size_t i) const { return i < n_first_ ? pair_.a : pair_.b; }
   /// The third corners of the faces that vanish. \pre the condition holds
@@ -43,13 +46,18 @@ class MergedStar {
  private:
   struct Kernels;
   void note_vanishing(Index slot, Index opposite, double turn) {
-    if (n_opposite_ < 2) {
-      vanishing_[n_opposite_] = slot;
-      opposites_[n_opposite_] = opposite;
-      turns_[n_opposite_] = turn;
-    }
-    ++n_opposite_;
+    make_room(vanishing_, n_opposite_ + 1);
+    make_room(opposites_, n_opposite_ + 1);
+    make_room(turns_, n_opposite_ + 1);
+    vanishing_[n_opposite_] = slot;
+    opposites_[n_opposite_] = opposite;
+    turns_[n_opposite_++] = turn;
   }
+  bool keeps_topology(std::array<bool, 2> is_irregular);
+  std::span<const LinkEdge> others_at(std::size_t end) const {
+    return end == 0 ? std::span(others_).first(n_first_) : std::span(others_).subspan(n_first_, n_ - n_first_);
+  }
+  std::span<const LinkEdge> gather_faces(std::size_t end);
   double farthest_sq(const Vec3& from) const;
 
   const RoundMesh& mesh_;
@@ -57,13 +65,15 @@ class MergedStar {
   std::vector<LinkEdge> others_;  ///< of each face, as the mesh lists them; and some more at the end
   std::size_t n_first_ = 0;
   std::size_t n_ = 0;
-  std::array<Index, 2> vanishing_{};
-  std::array<Index, 2> opposites_{};
-  std::array<double, 2> turns_{};  ///< 1 if the face is (a, b, opposite), −1 if it is (b, a, opposite)
+  // Of each common face; the lists may be longer
+  std::vector<Index> vanishing_;
+  std::vector<Index> opposites_;
+  std::vector<double> turns_;  ///< 1 if the face is (a, b, opposite), −1 if it is (b, a, opposite)
   std::size_t n_opposite_ = 0;
   std::vector<LinkEdge> all_;  ///< scratch: the faces of one star
   std::vector<Index> marks_;   ///< per vertex, the look that found it next to a
   Index n_looks_ = 0;
+  std::optional<Link> link_;  ///< scratch, if there is an irregular vertex
 };
 
 }  // namespace whittle

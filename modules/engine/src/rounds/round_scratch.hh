@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -16,11 +17,19 @@ void make_room(std::vector<T>& list, std::size_t n) {
   if (list.size() < n) list.resize(n + n / 8);
 }
 
+/// Where some pairs stand in a list.
+struct PairChunk {
+  std::size_t begin, end;
+};
+
 /// What a part needs in a round and not from one round to the next. The lists may be longer than what is used of them.
 struct RoundScratch {
   std::vector<StarPlanes> stars;  ///< per vertex
-  std::vector<LinkEdge> corners;  ///< by vertex, its faces in their order
-  std::vector<VertexPair> pairs;
+  // By vertex, its faces, of this round and of the next one
+  std::array<std::vector<LinkEdge>, 2> corners;
+  std::array<std::vector<Index>, 2> corner_faces;  ///< their numbers
+  std::vector<VertexPair> pairs;                   ///< in chunks
+  std::vector<PairChunk> chunks;
   std::vector<float> costs;       ///< per pair
   std::vector<Index> candidates;  ///< of the pairs, in the order of their turns
   std::vector<Index> places;      ///< in `candidates`, by class of cost

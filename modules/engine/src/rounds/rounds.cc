@@ -6,7 +6,7 @@
 
 #include "cost/make_cost.hh"
 #include "loop/contraction_log.hh"
-#include "whittle/core/detail/parallel.hh"
+#include "rounds/chunks.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 
 namespace whittle {
@@ -17,6 +17,13 @@ constexpr double least_gain = 0.1;
 constexpr std::uint64_t fewest_pairs = 16;
 /// Turns between two calls of the progress callback: about a millisecond.
 constexpr std::size_t turns_between_calls = 2048;
+
+bool any_begins_with(Index v, std::span<const LinkEdge> star) {
+  return std::any_of(star.begin(), star.end(), [v](const LinkEdge& face) { return face.x == v; });
+}
+bool any_ends_with(Index v, std::span<const LinkEdge> star) {
+  return std::any_of(star.begin(), star.end(), [v](const LinkEdge& face) { return face.y == v; });
+}
 
 }  // namespace
 
@@ -37,29 +44,66 @@ void Rounds::run(double cost) {
 }
 
 void Rounds::begin_round() {
-  if (!is_summed_up_) sum_up();
-  is_summed_up_ = false;
+  if (n_rounds_++ > 0) {
+    mesh_.begin_round(options_.threads);
+    sum_up();
+  }
   held_.begin_round();
-  std::fill(states_.begin(), states_.end(), as_before);
   list_pairs();
 }
 
+/// Sums up the planes of vertices whose faces have changed.
 void Rounds::sum_up() {
-  mesh_.begin_round(areas_.any());
-  for (Index v = 0; v < stars_.size(); ++v) {
-    if (!mesh_.star(v).empty()) std::fill(stars_[v].sums.begin(), stars_[v].sums.end(), 0.0);
-  }
-  add_faces(mesh_.faces(), mesh_.points(), quadric_, stars_);
-  is_summed_up_ = true;
+  const std::span<const Index> vertices = mesh_.vertices();
+  for_each_chunk(vertices.size(), options_.threads, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (const Index v : vertices.subspan(begin, end - begin)) {
+      if (states_[v] == as_before) continue;
+      stars_[v] = planes_of_star(v, mesh_.star(v), mesh_.points(), quadric_);
+      states_[v] = as_before;
+    }
+  });
 }
 
 /// Pairs of vertices with flags come last.
 void Rounds::list_pairs() {
-  make_room(scratch_->pairs, 3 * mesh_.faces().size() + 1);  // the last one is written over
+  const std::span<const Index> vertices = mesh_.vertices();
+  const std::size_t n_places = divide_places();
+  std::vector<PairChunk>& chunks = scratch_->chunks;
+  make_room(scratch_->pairs, n_places);
+  make_room(scratch_->costs, n_places);
+  for_each_chunk(vertices.size(), options_.threads, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    list_pairs_at(vertices.subspan(begin, end - begin), chunks[chunk]);
+  });
+  chunks.push_back({n_places, n_places});
+  std::erase_if(special_, [this](Index v) { return mesh_.star(v).empty(); });
+  for (const Index v : special_) list_pairs_at(v);
+  scratch_->cost_counts.clear();
+  for (const auto& [begin, end] : chunks) {
+    scratch_->cost_counts.add(std::span(scratch_->costs).subspan(begin, end - begin));
+  }
+}
+
+/// Gives each chunk of vertices places for its pairs. \return how many in all
+std::size_t Rounds::divide_places() {
+  const std::span<const Index> vertices = mesh_.vertices();
+  scratch_->chunks.clear();
+  std::size_t n_places = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (i % chunk_length == 0) {
+      ++n_places;  // the place after the last pair is written to
+      scratch_->chunks.push_back({n_places, n_places});
+    }
+    n_places += mesh_.star(vertices[i]).size();
+  }
+  return n_places + 1;
+}
+
+/// Of vertices without flags, with others of them.
+void Rounds::list_pairs_at(std::span<const Index> vertices, PairChunk& chunk) {
   const std::uint8_t* const flags = flags_.data();
-  const auto n_vertices = static_cast<Index>(flags_.size());
-  VertexPair* next = scratch_->pairs.data();
-  for (Index v = 0; v < n_vertices; ++v) {
+  VertexPair* const first = scratch_->pairs.data() + chunk.begin;
+  VertexPair* next = first;
+  for (const Index v : vertices) {
     if (flags[v] != 0) continue;
     for (const LinkEdge& face : mesh_.star(v)) {
       const Index w = face.x;
@@ -67,54 +111,53 @@ void Rounds::list_pairs() {
       next += static_cast<std::ptrdiff_t>(v < w) & static_cast<std::ptrdiff_t>(flags[w] == 0);
     }
   }
-  n_pairs_ = static_cast<std::size_t>(next - scratch_->pairs.data());
-  make_room(scratch_->costs, n_pairs_);
-  for_each_range(n_pairs_, options_.threads, [this](std::size_t begin, std::size_t end) {
-    pair_costs_.rank(std::span(scratch_->pairs).subspan(begin, end - begin), std::span(scratch_->costs).subspan(begin));
-  });
-  std::erase_if(special_, [this](Index v) { return mesh_.star(v).empty(); });
-  for (const Index v : special_) list_pairs_at(v);
-  for (std::size_t i = 0; i < n_pairs_; ++i) {
-    scratch_->costs[i] = held_.cost(scratch_->pairs[i], scratch_->costs[i]);
-  }
-  scratch_->cost_counts.count(std::span(scratch_->costs).first(n_pairs_));
+  const std::span<const VertexPair> pairs(first, next);
+  const auto costs = std::span(scratch_->costs).subspan(chunk.begin, pairs.size());
+  pair_costs_.rank(pairs, costs);
+  held_.raise(pairs, costs);
+  chunk.end = chunk.begin + pairs.size();
 }
 
-/// Of a vertex with flags, all pairs but those that the other one lists.
+/// Of a vertex with flags, all pairs but those that the other one lists, each once.
 void Rounds::list_pairs_at(Index v) {
   const std::span<const LinkEdge> star = mesh_.star(v);
   const auto list = [&](Index w) {
     const bool is_listed_there = flags_[w] != 0 && w < v;
     if (has(w, frozen) || is_listed_there || (has(v, locked) && has(w, locked))) return;
     const VertexPair pair{std::min(v, w), std::max(v, w)};
-    const float cost = CostCounts::in_range(rank(pair).cost);
-    make_room(scratch_->pairs, n_pairs_ + 1);
-    make_room(scratch_->costs, n_pairs_ + 1);
-    scratch_->pairs[n_pairs_] = pair;
-    scratch_->costs[n_pairs_++] = cost;
+    const float cost = held_.cost(pair, CostCounts::in_range(rank(pair).cost));
+    std::size_t& place = scratch_->chunks.back().end;
+    make_room(scratch_->pairs, place + 1);
+    make_room(scratch_->costs, place + 1);
+    scratch_->pairs[place] = pair;
+    scratch_->costs[place++] = cost;
   };
-  for (const LinkEdge& face : star) {
-    list(face.x);
-    const bool is_end = std::none_of(star.begin(), star.end(), [&](const LinkEdge& f) { return f.x == face.y; });
-    if (is_end) list(face.y);
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const auto [x, y] = star[i];
+    if (!any_begins_with(x, star.first(i))) list(x);
+    if (!any_begins_with(y, star) && !any_ends_with(y, star.first(i))) list(y);
   }
 }
 
 /// Lists the pairs that cost at most so much, by the class of their cost, and then as they are listed.
 void Rounds::sort_candidates(float most) {
-  const std::span<const float> costs = std::span(scratch_->costs).first(n_pairs_);
   const std::uint32_t first = std::min(cost_counts().first(), CostCounts::class_of(most));
   const std::uint32_t n = CostCounts::class_of(most) - first + 1;
-  scratch_->places.assign(n + 1, 0);
-  Index* const places = scratch_->places.data();
-  const auto slot = [&](float cost) { return std::min(CostCounts::class_of(cost) - first, n); };
-  for (const float cost : costs) ++places[slot(cost)];
+  std::vector<Index>& places = scratch_->places;
+  places.resize(n);
   Index sum = 0;
-  for (Index& place : scratch_->places) sum += std::exchange(place, sum);
-  n_candidates_ = places[n];
-  make_room(scratch_->candidates, costs.size());
-  Index* const candidates = scratch_->candidates.data();
-  for (Index i = 0; i < costs.size(); ++i) candidates[places[slot(costs[i])]++] = i;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    places[k] = sum;
+    sum += cost_counts()[first + k];
+  }
+  n_candidates_ = sum;
+  make_room(scratch_->candidates, sum);
+  for (const auto& [begin, end] : scratch_->chunks) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t k = CostCounts::class_of(scratch_->costs[i]) - first;
+      if (k < n) scratch_->candidates[places[k]++] = static_cast<Index>(i);
+    }
+  }
 }
 
 std::uint64_t Rounds::contract(const RoundLimit& limit) {
@@ -142,7 +185,7 @@ bool Rounds::goes_on() {
 /// The turn of a pair.
 void Rounds::take(const VertexPair& pair, float most) {
   const auto [a, b] = pair;
-  if (!star_.gather(pair, {has(a, on_border), has(b, on_border)})) return refuse(pair, Refusal::link);
+  if (!star_.gather(pair, {has(a, irregular), has(b, irregular)})) return refuse(pair, Refusal::link);
   refresh(a, 0);
   refresh(b, 1);
   const PairEvaluation ranked = rank(pair);
@@ -213,10 +256,9 @@ bool Rounds::makes_thin(const Vec3& position) const {
 /// Of the pair that `star_` looks at, by their numbers at the start.
 std::span<const Index> Rounds::vanishing_faces(Index a) {
   const std::span<const Index> slots = star_.vanishing();
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    vanishing_[i] = mesh_.face_origins()[mesh_.faces_in_star(a)[slots[i]]];
-  }
-  return std::span(vanishing_).first(slots.size());
+  vanishing_.clear();
+  for (const Index slot : slots) vanishing_.push_back(mesh_.faces_in_star(a)[slot]);
+  return vanishing_;
 }
 
 void Rounds::merge(const VertexPair& pair, const PairEvaluation& ranked, const Vec3& position, double cost) {
@@ -233,7 +275,7 @@ void Rounds::merge(const VertexPair& pair, const PairEvaluation& ranked, const V
   for (const Index v : {a, b}) note_change(v);
   states_[a] = states_[b] = taken;
   merge_planes(pair, survivor, removed, ranked, position);
-  mesh_.merge(removed, survivor, position);
+  mesh_.merge(pair, removed, position, star_.others());
   n_faces_ -= star_.opposites().size();
   max_cost_ = std::max(max_cost_, cost);
   if (log_ != nullptr) log_->add({survivor, removed, position, cost_unit_.times(cost), false, false});
@@ -245,7 +287,7 @@ void Rounds::merge_planes(const VertexPair& pair, Index survivor, Index removed,
   if (!is_special(pair)) return;
   const auto [a, b] = pair;
   const std::uint8_t flags = flags_[a] | flags_[b];
-  if ((flags & on_border) != 0) {
+  if ((flags & irregular) != 0) {
     remembered_.set(survivor, merged(placed(a), placed(b), position, ranked.is_minimum).quadric, flags_.size());
     seams_.erase(survivor);
   } else if ((flags & on_seam) != 0) {
@@ -258,7 +300,7 @@ void Rounds::merge_planes(const VertexPair& pair, Index survivor, Index removed,
     seams_.merge(change);
   }
   if (flags_[survivor] == 0) special_.push_back(survivor);
-  flags_[survivor] = (flags & on_border) != 0 ? static_cast<std::uint8_t>(flags & ~on_seam) : flags;
+  flags_[survivor] = (flags & irregular) != 0 ? static_cast<std::uint8_t>(flags & ~on_seam) : flags;
   remembered_.erase(removed);
   seams_.erase(removed);
 }

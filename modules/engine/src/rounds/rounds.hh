@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,8 +29,8 @@ namespace whittle {
 ///     if another guard refuses it: as the link condition
 ///     else contract
 ///
-/// A vertex where the surface isn't manifold, and one that is frozen, takes part in no contraction. A vertex on a
-/// border remembers its planes, as MemorylessCost has it.
+/// A frozen vertex takes part in no contraction. An irregular one, on a border or where the surface isn't manifold,
+/// remembers its planes, as MemorylessCost has it.
 class Rounds {
  public:
   /// \param surface its cost state is taken away; faces and areas must outlive this
@@ -54,11 +53,11 @@ class Rounds {
   std::uint64_t contract(const RoundLimit& limit);
 
   std::uint64_t n_contractions() const { return n_contractions_; }
-  std::uint64_t n_vertices() const { return n_inner_ + n_frozen_ - n_contractions_; }  ///< now, with faces
-  std::uint64_t n_faces() const { return n_faces_; }                                   ///< now
+  std::uint64_t n_vertices() const { return n_inner_ + mesh_.n_frozen() - n_contractions_; }  ///< now, with faces
+  std::uint64_t n_faces() const { return n_faces_; }                                          ///< now
   /// Of vertices with faces, at the start: those that aren't frozen by the context, and the others.
   std::size_t n_inner_vertices() const { return n_inner_; }
-  std::size_t n_frozen_vertices() const { return n_frozen_; }
+  std::size_t n_frozen_vertices() const { return mesh_.n_frozen(); }
   /// Frozen vertices, and edges between two of them, are not counted. At the start.
   const NonmanifoldCounts& nonmanifold() const { return nonmanifold_; }
   DecimateResult result() const;
@@ -73,7 +72,7 @@ class Rounds {
   /// What is the case with a vertex. Most have none of it.
   enum Flag : std::uint8_t {
     frozen = 1,     ///< it takes part in no contraction
-    on_border = 2,  ///< one line of border edges goes through it; it remembers its planes
+    irregular = 2,  ///< its faces are not one closed fan, or were not once; it remembers its planes
     on_seam = 4,    ///< it has planes of seams besides those of its faces
     locked = 8      ///< it stays where it is
   };
@@ -92,6 +91,8 @@ class Rounds {
 
   void sum_up();
   void list_pairs();
+  std::size_t divide_places();
+  void list_pairs_at(std::span<const Index> vertices, PairChunk& chunk);
   void list_pairs_at(Index v);
   void sort_candidates(float most);
   bool goes_on();
@@ -108,7 +109,7 @@ class Rounds {
   }
   bool is_special(const VertexPair& pair) const { return (flags_[pair.a] | flags_[pair.b]) != 0; }
   bool has(Index v, Flag flag) const { return (flags_[v] & flag) != 0; }
-  bool forgets(const VertexPair& pair) const { return !has(pair.a, on_border) && !has(pair.b, on_border); }
+  bool forgets(const VertexPair& pair) const { return !has(pair.a, irregular) && !has(pair.b, irregular); }
   std::optional<Refusal> refusal_at(const Vec3& position);
   bool makes_thin(const Vec3& position) const;
   void refuse(const VertexPair& pair, Refusal why) {
@@ -137,20 +138,18 @@ class Rounds {
   std::vector<Index> special_;  ///< vertices with flags that are left, but for frozen ones
   AreaCounts areas_;
   std::size_t n_inner_ = 0;
-  std::size_t n_frozen_ = 0;
   std::uint64_t n_degenerate_faces_ = 0;
   NonmanifoldCounts nonmanifold_;
 
   // Of a round
   std::vector<std::uint8_t> states_;  ///< per vertex
   std::span<StarPlanes> stars_;       ///< per vertex
-  bool is_summed_up_ = false;         ///< for the next round
-  std::size_t n_pairs_ = 0;
+  std::size_t n_rounds_ = 0;
   std::size_t n_candidates_ = 0;
   HeldPairs held_;
   PairCosts pair_costs_;
   MergedStar star_;
-  std::array<Index, 2> vanishing_{};  ///< scratch
+  std::vector<Index> vanishing_;  ///< scratch
 
   std::size_t n_faces_ = 0;  ///< now
   std::uint64_t n_contractions_ = 0;

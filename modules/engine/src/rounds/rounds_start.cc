@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 
-#include "complex/fan_sorter.hh"
 #include "cost/make_cost.hh"
 #include "rounds/rounds.hh"
 
@@ -10,23 +8,33 @@
 namespace whittle {
 namespace {
 
-/// Whether the faces at a vertex are one closed fan, all of one orientation. False may only mean that a closer look is
-/// due.
-bool is_small_ring(std::span<const LinkEdge> star, FanSorter& sorter) {
-  std::array<Neighbour, FanSorter::max_faces> faces;
-  std::array<Index, FanSorter::max_faces> ring;
-  const std::size_t n = star.size();
-  if (n < 3 || n > faces.size()) return false;
-  for (std::size_t i = 0; i < n; ++i) faces[i] = {star[i].x, star[i].y};
-  return sorter.sort(std::span(faces.data(), n), ring);
-}
+/// Tells vertices whose faces are one closed fan, all of one orientation.
+class RingTest {
+ public:
+  explicit RingTest(std::size_t n_vertices) : steps_(n_vertices) {}
 
-/// Whether all faces of one fan have one orientation.
-bool is_oriented(std::span<const LinkEdge> star) {
-  return std::none_of(star.begin(), star.end(), [&](const LinkEdge& f) {
-    return std::count_if(star.begin(), star.end(), [&](const LinkEdge& g) { return f.x == g.x || f.y == g.y; }) > 1;
-  });
-}
+  /// \param star of v
+  bool is_ring(Index v, std::span<const LinkEdge> star) {
+    if (star.size() < 3) return false;
+    for (const auto& [x, y] : star) steps_[x] = {v, y};
+    // A walk over all faces from one to the next, without a way out and without a short cut.
+    std::size_t n = 0;
+    Index at = star.front().x;
+    do {
+      if (steps_[at].vertex != v) return false;
+      at = steps_[at].next;
+      ++n;
+    } while (at != star.front().x && n < star.size());
+    return at == star.front().x && n == star.size();
+  }
+
+ private:
+  struct Step {
+    Index vertex = invalid_index;  ///< that is walked around
+    Index next = invalid_index;
+  };
+  std::vector<Step> steps_;  ///< per neighbour
+};
 
 }  // namespace
 
@@ -39,51 +47,44 @@ Rounds::Rounds(WorkingSurface& surface, const StageContext& context, RoundScratc
       face_area_(*surface.cost_state.face_area),
       pool_(pool),
       scratch_(pool.take()),
-      mesh_(surface.positions, surface.faces, *scratch_),
-      flags_(mesh_.n_vertices()),
+      mesh_(surface.positions, surface.faces, context.frozen, !context.areas.of.empty(), *scratch_),
+      flags_(mesh_.n_vertices(), frozen),
       areas_(context.areas),
-      states_(mesh_.n_vertices()),
+      states_(mesh_.n_vertices(), outdated),
       stars_(scratch_->stars_of(mesh_.n_vertices())),
       held_(mesh_.n_vertices()),
       pair_costs_(mesh_.points(), stars_, face_area_.first()),
       star_(mesh_) {
   surface.positions = {};
   sum_up();
-  n_faces_ = mesh_.faces().size();
+  n_faces_ = mesh_.n_faces();
   n_degenerate_faces_ = surface.faces.size() - n_faces_;
   if (areas_.any()) {
-    for (const Index f : mesh_.face_origins()) areas_.add(f);
+    for (Index f = 0; f < surface.faces.size(); ++f) {
+      if (has_three_corners(surface.faces[f])) areas_.add(f);
+    }
   }
   look_at_vertices(context);
   take_over(surface.cost_state);
-  std::erase_if(special_, [this](Index v) { return has(v, frozen); });
 }
 
 void Rounds::look_at_vertices(const StageContext& context) {
-  FanSorter sorter;
+  RingTest rings(flags_.size());
   Link link(flags_.size());
-  for (Index v = 0; v < flags_.size(); ++v) {
-    const std::span<const LinkEdge> star = mesh_.star(v);
-    const bool is_frozen = !context.frozen.empty() && context.frozen[v] != 0;
-    if (star.empty() || is_frozen) {
-      flags_[v] = frozen;
-      n_frozen_ += static_cast<std::size_t>(!star.empty());
-      continue;
-    }
-    ++n_inner_;
-    if (!context.locked.empty() && context.locked[v] != 0) flags_[v] = locked;
-    if (!is_small_ring(star, sorter)) look_at_irregular(v, link, context.frozen);
-    if (flags_[v] != 0 && !has(v, frozen)) special_.push_back(v);
+  n_inner_ = mesh_.vertices().size();
+  for (const Index v : mesh_.vertices()) {
+    const bool is_locked = !context.locked.empty() && context.locked[v] != 0;
+    flags_[v] = is_locked ? locked : 0;
+    if (!rings.is_ring(v, mesh_.star(v))) look_at_irregular(v, link, context.frozen);
+    if (flags_[v] != 0) special_.push_back(v);
   }
 }
 
-/// A vertex that seems to be no ring.
+/// A vertex that is no ring.
 void Rounds::look_at_irregular(Index v, Link& link, std::span<const std::uint8_t> frozen_by_context) {
   const std::span<const LinkEdge> star = mesh_.star(v);
   link.gather(star);
   const VertexKind kind = link.kind();
-  const bool is_ring = kind == VertexKind::regular && link.is_oriented() && star.size() > 2;
-  if (is_ring) return;
   if (kind != VertexKind::regular) {
     for (const Link::Entry& entry : link.entries()) {
       const bool is_seen_from_both = frozen_by_context.empty() || frozen_by_context[entry.vertex] == 0;
@@ -92,9 +93,8 @@ void Rounds::look_at_irregular(Index v, Link& link, std::span<const std::uint8_t
     }
     nonmanifold_.vertices += static_cast<std::uint64_t>(link.n_fans() > 1);
   }
-  const bool is_on_border = kind == VertexKind::line && is_oriented(star);
-  flags_[v] |= is_on_border ? on_border : frozen;
-  if (is_on_border && options_.boundary == Boundary::locked) flags_[v] |= locked;
+  flags_[v] |= irregular;
+  if (kind != VertexKind::regular && options_.boundary == Boundary::locked) flags_[v] |= locked;
   Quadric planes{stars_[v].matrix(), Vec3::Zero(), 0};
   if (quadric_.boundary_weight > 0 && kind != VertexKind::regular) planes.a += planes_of_borders(v);
   remembered_.set(v, planes, flags_.size());
@@ -113,10 +113,10 @@ SymmetricMatrix Rounds::planes_of_borders(Index v) const {
   return sum;
 }
 
-/// Takes over what vertices remember from before. One that needn't remember anything isn't as it was: it is left alone.
+/// Takes over what vertices remember from before.
 void Rounds::take_over(const CostState& before) {
   for (const auto& [v, quadric] : before.seams) {
-    if (has(v, frozen) && !remembered_.contains(v)) continue;
+    if (has(v, frozen)) continue;
     if (const Quadric* const own = remembered_.find(v)) {
       Quadric sum = *own;
       sum += quadric;
@@ -128,8 +128,9 @@ void Rounds::take_over(const CostState& before) {
     seams_.set(v, quadric, flags_.size());
   }
   for (const auto& [v, quadric] : before.quadrics) {
-    if (has(v, frozen) && !remembered_.contains(v)) continue;
-    if (!remembered_.contains(v)) flags_[v] = frozen;
+    if (has(v, frozen)) continue;
+    if (flags_[v] == 0) special_.push_back(v);
+    flags_[v] = static_cast<std::uint8_t>((flags_[v] | irregular) & ~on_seam);
     remembered_.set(v, quadric, flags_.size());
   }
 }

@@ -30,12 +30,8 @@ struct alignas(32) StarPlanes {
   double length() const { return sums[9]; }
 };
 
-/// Adds each face to the sums of its corners, face by face. \param stars per point
-void add_faces(std::span<const Triangle> faces, std::span<const LanePoint> points, const QuadricOptions& options,
-               std::span<StarPlanes> stars);
-
 /// The sums for a star. They are made of four sums, each over every fourth face.
-/// \param faces their number a multiple of four; those with two equal corners count for nothing
+/// \param faces those with two equal corners count for nothing
 StarPlanes planes_of_star(Index vertex, std::span<const LinkEdge> faces, std::span<const LanePoint> points,
                           const QuadricOptions& options);
 

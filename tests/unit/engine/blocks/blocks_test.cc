@@ -19,6 +19,7 @@ namespace {
 
 /// Two levels, of blocks so small that most vertices are shared or next to shared ones.
 constexpr BlockPlan small_blocks{.fewest_faces = 1,
+                                 .fewest_faces_in_detail = 1,
                                  .fewest_faces_again = 1,
                                  .faces_per_block = 100,
                                  .fewest_faces_left = 2,
@@ -45,7 +46,7 @@ DecimateOptions plain_quadrics(unsigned threads) {
 
 Decimation in_blocks(const IndexedMesh& mesh, std::uint64_t n_faces, const DecimateOptions& options) {
   const DecimateTarget target = DecimateTarget::faces(n_faces);
-  EXPECT_EQ(why_not_in_blocks(mesh, target, options, nullptr, small_blocks), "");
+  EXPECT_EQ(why_not_in_blocks(mesh, target, options, nullptr, small_blocks, false), "");
   return run(mesh, target, options, nullptr, small_blocks);
 }
 
@@ -174,7 +175,7 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
     DecimateOptions options = memoryless();
     change(options);
     const std::string_view why = run(mesh, to, options, nullptr, plan).result.why_in_one_pass;
-    EXPECT_EQ(why, why_not_in_blocks(mesh, to, options, nullptr, plan));
+    EXPECT_EQ(why, why_not_in_blocks(mesh, to, options, nullptr, plan, options.listener != nullptr));
     return std::string(why);
   };
   const auto nothing = [](DecimateOptions&) {};
@@ -199,11 +200,20 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.quadric.regularization = 0; }), "rounding may decide the order");
   IndexedMesh far_flung = blob(3, 1);
   far_flung.positions[7] *= 1e6;
-  EXPECT_EQ(why_not_in_blocks(far_flung, target, plain_quadrics(2), nullptr, small_blocks),
+  EXPECT_EQ(why_not_in_blocks(far_flung, target, plain_quadrics(2), nullptr, small_blocks, false),
             "rounding may decide the order");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.isotropy = 0.5; }), "the cost has a term for edge lengths");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.listener = [](const Contraction&) {}; }),
             "contractions are told in exact order");
+  BlockPlan in_detail = small_blocks;
+  in_detail.fewest_faces_in_detail = mesh.faces.size() + 1;
+  EXPECT_EQ(reason([](DecimateOptions& o) { o.listener = [](const Contraction&) {}; }, target), "");
+  EXPECT_EQ(reason([](DecimateOptions& o) { o.listener = [](const Contraction&) {}; }, target, in_detail),
+            "contractions are told in order");
+  IndexedMesh colored = mesh;
+  colored.colors.assign(mesh.positions.size(), Color{1, 1, 1, 1});
+  EXPECT_EQ(why_not_in_blocks(colored, target, memoryless(), nullptr, small_blocks, false), "");
+  EXPECT_EQ(why_not_in_blocks(colored, target, memoryless(), nullptr, in_detail, false), "attributes count");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.order = Order::exact; }, target), "the order is exact");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.pairs.threshold = 0.01; }, target),
             "threshold pairs join what lies apart");
@@ -211,6 +221,24 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
             "the topology may change");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.feature_angle_deg = 40; }, target), "feature lines are kept");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.refuse_intersections = true; }, target), "intersections are refused");
+}
+
+TEST(Blocks, LeaveAMeshThatIsMostlyNotManifold) {
+  IndexedMesh mesh = blob(3, 1);
+  for (std::size_t f = 0, n = mesh.faces.size(); f < n; f += 2) {  // a triangle on an edge of every other face
+    const auto& [a, b, c] = mesh.faces[f];
+    const Vec3 normal = area_normal(mesh.positions, mesh.faces[f]).normalized();
+    mesh.positions.push_back(mesh.positions[a] + 0.1 * normal);
+    mesh.faces.push_back({a, b, static_cast<Index>(mesh.positions.size() - 1)});
+  }
+  const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 3);
+  std::size_t n_told = 0;
+  DecimateOptions options = memoryless(2);
+  options.listener = [&n_told](const Contraction&) { ++n_told; };
+  const Decimation blocks = run(mesh, target, options, nullptr, small_blocks);
+  EXPECT_EQ(blocks.result.why_in_one_pass, "much of it isn't manifold");
+  EXPECT_EQ(blocks.result.n_contractions, n_told);
+  expect_equal(blocks, run(mesh, target, memoryless(), nullptr, no_blocks));
 }
 
 // The exact order ----------------------------------------------------------------------------------------------------
