@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/geometry/spread_point.hh"
 #include "whittle/core/geometry/symmetric_matrix.hh"
@@ -78,6 +79,7 @@ double mean_distance(const std::vector<Vec3>& points, const TriangleTree& tree) 
 bool is_worth_plain_quadrics(const IndexedMesh& mesh, const DecimateTarget& target) {
   if (mesh.faces.empty() || mesh.faces.size() > most_faces || target.cost_limit() || target.error_limit()) return false;
   if (mesh.faces.size() <= few_faces) return true;
+  bounds_of(mesh);  // refuses invalid meshes
   const double bent = bent_share(mesh);
   return bent <= most_bent && bent <= bent_per_vertex_left * target.share_of(mesh.faces.size(), mesh.positions.size());
 }

@@ -89,16 +89,18 @@ PolishOptions DecimationPolisher::polish_options(const SimplifyOptions& options,
   return result;
 }
 
+void DecimationPolisher::prepare(const DecimateOptions& options, const ProgressCallback& progress) {
+  PolishOriginal original(mesh_, options.threads, progress);
+  input_.emplace(Input{std::move(original), detail::input_edges_with_rims(mesh_, options),
+                       face_regions(mesh_, options.regions), diagonal_of(mesh_.positions)});
+}
+
 PolishResult DecimationPolisher::polish(const SimplifyOptions& options, Decimation& decimation,
                                         const std::vector<std::uint8_t>& held) {
   if (options.polish_passes == 0U) return {};
   const DecimateOptions& decimate = options.decimate;
   try {
-    if (!input_) {
-      PolishOriginal original(mesh_, decimate.threads, polish_progress(decimate, decimation.result));
-      input_.emplace(Input{std::move(original), detail::input_edges_with_rims(mesh_, decimate),
-                           face_regions(mesh_, decimate.regions), diagonal_of(mesh_.positions)});
-    }
+    std::call_once(is_prepared_, [&] { prepare(decimate, polish_progress(decimate, decimation.result)); });
     return whittle::polish(input_->original, decimation.vertex_map, decimation.mesh,
                            polish_options(options, held, decimation));
   } catch (const Cancelled&) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,7 @@ class DecimationPolisher {
   /// Keeps a reference to the mesh.
   explicit DecimationPolisher(const IndexedMesh& mesh) : mesh_(mesh) {}
 
+  /// Several threads may do so at once, each with a decimation of its own.
   /// \param held per vertex of the decimation, 1 = stays; or empty
   PolishResult polish(const SimplifyOptions& options, Decimation& decimation,
                       const std::vector<std::uint8_t>& held = {});
@@ -28,11 +30,13 @@ class DecimationPolisher {
     double diagonal;             ///< of its bounding box
   };
 
+  void prepare(const DecimateOptions& options, const ProgressCallback& progress);
   PolishOptions polish_options(const SimplifyOptions& options, const std::vector<std::uint8_t>& held,
                                const Decimation& decimation) const;
 
   const IndexedMesh& mesh_;
-  std::optional<Input> input_;  ///< made on first use
+  std::once_flag is_prepared_;
+  std::optional<Input> input_;  ///< made on first use, when the mesh is known to be valid
 };
 
 }  // namespace whittle

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -12,6 +15,7 @@
 #include "decimation_polisher.hh"
 #include "effort.hh"
 #include "simplify_sheets.hh"
+#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/progress.hh"
 #include "whittle/engine/attributes.hh"
 #include "whittle/engine/detail/decimate_and_fit.hh"
@@ -73,21 +77,63 @@ void finish_attributes_of(const IndexedMesh& input, const SimplifyOptions& settl
   break_normals_of(input, settled, result);
 }
 
+bool is_cancelled(const Simplification& result) {
+  return result.result.stop == StopReason::cancelled || result.polish.cancelled;
+}
+
+/// Simplifies with one cost, and then, if that wasn't cancelled, with another one.
+std::vector<Simplification> simplify_twice(const IndexedMesh& mesh, const DecimateTarget& target,
+                                           const SimplifyOptions& settled, const SimplifyOptions& other,
+                                           DecimationPolisher& polisher) {
+  std::vector<Simplification> both{simplify_as_settled(mesh, target, settled, polisher)};
+  if (!is_cancelled(both.front())) both.push_back(simplify_as_settled(mesh, target, other, polisher));
+  return both;
+}
+
+/// The same at once, each on half of the threads. Progress is that of the first, on the calling thread.
+std::vector<Simplification> simplify_twice_at_once(const IndexedMesh& mesh, const DecimateTarget& target,
+                                                   SimplifyOptions settled, SimplifyOptions other,
+                                                   DecimationPolisher& polisher) {
+  const auto n = static_cast<unsigned>(n_threads(settled.decimate.threads));
+  settled.decimate.threads = n - n / 2;
+  other.decimate.threads = n / 2;
+  std::vector<Simplification> both;
+  std::optional<Simplification> second;
+  std::exception_ptr failure;
+  std::jthread thread([&](const std::stop_token& stop) {
+    other.decimate.progress = [&stop](const Progress&) { return !stop.stop_requested(); };
+    try {
+      second = simplify_as_settled(mesh, target, other, polisher);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  });
+  both.push_back(simplify_as_settled(mesh, target, settled, polisher));
+  if (is_cancelled(both.front())) return both;
+  thread.join();
+  if (failure) std::rethrow_exception(failure);
+  both.push_back(std::move(*second));
+  return both;
+}
+
 /// With plain quadrics and without, where both are tried.
 Simplification better_of_both(const IndexedMesh& mesh, const DecimateTarget& target, const SimplifyOptions& settled,
                               DecimationPolisher& polisher) {
-  Simplification result = simplify_as_settled(mesh, target, settled, polisher);
-  const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
-  if (is_cancelled || !*settled.tries_plain_quadrics || !is_worth_plain_quadrics(mesh, target)) return result;
+  if (!*settled.tries_plain_quadrics || !is_worth_plain_quadrics(mesh, target)) {
+    return simplify_as_settled(mesh, target, settled, polisher);
+  }
+  const Stopwatch watch;
   SimplifyOptions plain = settled;
   plain.decimate.cost = Cost::quadric;
-  Simplification other = simplify_as_settled(mesh, target, plain, polisher);
-  other.decimate_seconds += result.decimate_seconds;
-  other.polish_seconds += result.polish_seconds;
-  const Stopwatch comparing;
-  Simplification& better = is_better(mesh, other, result) ? other : result;
-  better.decimate_seconds = other.decimate_seconds;
-  better.polish_seconds = other.polish_seconds + comparing.seconds();
+  const bool is_at_once = n_threads(settled.decimate.threads) > 1;
+  std::vector<Simplification> both = is_at_once ? simplify_twice_at_once(mesh, target, settled, plain, polisher)
+                                                : simplify_twice(mesh, target, settled, plain, polisher);
+  if (both.size() == 1) return std::move(both.front());
+  Simplification& better = is_better(mesh, both[1], both[0]) ? both[1] : both[0];
+  const double contracting = both[0].decimate_seconds + both[1].decimate_seconds;
+  const double polishing = both[0].polish_seconds + both[1].polish_seconds;
+  better.decimate_seconds = watch.seconds() * contracting / (contracting + polishing);
+  better.polish_seconds = watch.seconds() - better.decimate_seconds;
   return std::move(better);
 }
 
@@ -100,8 +146,7 @@ PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOption
 }
 
 void fit_attributes_of(const IndexedMesh& original, const SimplifyOptions& options, Simplification& result) {
-  const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
-  if (is_cancelled || options.polish_passes == 0U) return;
+  if (is_cancelled(result) || options.polish_passes == 0U) return;
   const Stopwatch watch;
   const AttributeFitReport report =
       fit_attributes(original, wedge_map(original, result.vertex_map, result.face_origins), result.mesh,

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
+#include <thread>
 
 #include "support/shapes/shapes.hh"
 #include "support/shapes/two_sided.hh"
@@ -127,6 +129,53 @@ TEST(SlowSimplify, TakesTheNearerOfTwoResultsWhereMuchIsFlat) {
     }
   }
   EXPECT_GT(n_plain, 0U);
+}
+
+TEST(Simplify, TriesTwoCostsAtOnceWithOneResult) {
+  const IndexedMesh mesh = bracket(16);
+  const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 10);
+  for (const Effort effort : {Effort::normal, Effort::best}) {
+    SimplifyOptions options;
+    options.decimate.threads = 1;
+    const Simplification one = simplify(mesh, target, effort, options);
+    for (const unsigned threads : {2U, 3U, 8U}) {
+      options.decimate.threads = threads;
+      const Simplification s = simplify(mesh, target, effort, options);
+      expect_same(s.mesh, one.mesh, std::to_string(threads) + " threads");
+      EXPECT_EQ(s.cost, one.cost);
+      EXPECT_EQ(s.vertex_map, one.vertex_map);
+      EXPECT_GE(s.decimate_seconds, 0);
+      EXPECT_GE(s.polish_seconds, 0);
+    }
+  }
+}
+
+TEST(Simplify, TellsTheProgressOfOneOfTwoRunsAtOnce) {
+  const IndexedMesh mesh = bracket(16);
+  const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 10);
+  const std::thread::id caller = std::this_thread::get_id();
+  int n_calls = 0;
+  int n_allowed = std::numeric_limits<int>::max();
+  SimplifyOptions options;
+  options.decimate.threads = 2;
+  options.decimate.progress = [&](const Progress&) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    return ++n_calls <= n_allowed;
+  };
+  EXPECT_EQ(simplify(mesh, target, Effort::normal, options).result.stop, StopReason::target);
+  const int n_all = n_calls;
+  ASSERT_GT(n_all, 2);
+  for (const int n : {0, 1, n_all / 2}) {
+    n_calls = 0;
+    n_allowed = n;
+    const Simplification s = simplify(mesh, target, Effort::normal, options);
+    EXPECT_TRUE(s.result.stop == StopReason::cancelled || s.polish.cancelled) << n;
+    EXPECT_LT(n_calls, n_all) << n;
+  }
+  options.decimate.threads = 2;
+  options.decimate.progress = {};
+  options.decimate.locked.resize(1);  // of a wrong length
+  EXPECT_THROW(simplify(mesh, target, Effort::normal, options), std::invalid_argument);
 }
 
 TEST(Simplify, TriesPlainQuadricsOnlyWhereNobodyListens) {

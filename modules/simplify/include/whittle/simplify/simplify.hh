@@ -43,9 +43,10 @@ struct SimplifyOptions {
 
   /// Cost comparison: whether to run with plain quadrics, too, and take the result nearer to the input. It is done for
   /// small meshes (at most 20,000 faces) and mostly flat ones, whose result may be nearly exact (at most 100,000
-  /// faces); never with a limit of cost or error. It takes two to three times as long. If the second run is cancelled,
-  /// `simplify` returns the first result. Empty = if the cost is by effort and memoryless, and no callback of the
-  /// caller would be called again (a listener, pauses of `decimate`).
+  /// faces); never with a limit of cost or error. With two threads and more both runs go at once, each on half of them,
+  /// and `progress` is that of the run with the cost given. With one thread it takes two to three times as long; if
+  /// the second run is cancelled, `simplify` returns the first result. Empty = if the cost is by effort and
+  /// memoryless, and no callback of the caller would be called again (a listener, pauses of `decimate`).
   std::optional<bool> tries_plain_quadrics{};
 };
 
