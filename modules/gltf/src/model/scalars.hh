@@ -10,30 +10,6 @@
 
 namespace whittle::gltf {
 
-/// Calls `function` with a value of the type.
-template <class Function>
-decltype(auto) with_scalar_type(ScalarType type, const Function& function) {
-  switch (type) {
-    case ScalarType::int8:
-      return function(std::int8_t{});
-    case ScalarType::uint8:
-      return function(std::uint8_t{});
-    case ScalarType::int16:
-      return function(std::int16_t{});
-    case ScalarType::uint16:
-      return function(std::uint16_t{});
-    case ScalarType::int32:
-      return function(std::int32_t{});
-    case ScalarType::uint32:
-      return function(std::uint32_t{});
-    case ScalarType::float32:
-      return function(float{});
-    case ScalarType::float64:
-      break;
-  }
-  return function(double{});
-}
-
 std::size_t size_of(ScalarType type);
 bool is_integer(ScalarType type);
 bool is_signed(ScalarType type);

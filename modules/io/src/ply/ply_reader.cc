@@ -11,6 +11,7 @@
 
 #include "format/mesh_builder.hh"
 #include "ply/ply.hh"
+#include "ply/ply_fixed_rows.hh"
 #include "ply/ply_header.hh"
 #include "ply/ply_notes.hh"
 #include "ply/ply_plan.hh"
@@ -23,26 +24,6 @@ namespace whittle::io {
 namespace {
 
 using Row = std::array<double, other + 1>;
-
-// Where the numbers of a property are stored: every `stride` numbers, from `values` on. Null: nowhere.
-struct Target {
-  double* values = nullptr;
-  std::size_t stride = 1;
-  double unit = 1;
-
-  void set(std::size_t i, double number) const { values[i * stride] = number / unit; }
-};
-
-std::vector<Target> targets_of(const PlyAttributes& planned, std::vector<Attribute>& attributes) {
-  std::vector<Target> targets(planned.places.size());
-  for (std::size_t p = 0; p < targets.size(); ++p) {
-    if (!planned.places[p]) continue;
-    Attribute& attribute = attributes[planned.places[p]->attribute];
-    targets[p] = {attribute.values.data() + planned.places[p]->component, attribute.n_components,
-                  planned.places[p]->unit};
-  }
-  return targets;
-}
 
 template <class Source>
 class BodyReader {
@@ -128,7 +109,7 @@ class BodyReader {
     auto& attributes = builder_.mesh().attributes;
     attributes = std::move(plan.others.attributes);
     for (Attribute& attribute : attributes) resize_large(attribute.values, attribute.n_components * count);
-    const std::vector<Target> targets = targets_of(plan.others, attributes);
+    const std::vector<PlyTarget> targets = targets_of(plan.others, attributes);
     if constexpr (Source::has_fixed_sizes) {
       if (read_fixed_vertices(element, plan, targets)) return;
     }
@@ -136,7 +117,7 @@ class BodyReader {
   }
 
   void read_vertex(Source& source, const PlyElement& element, const PlyVertexPlan& plan,
-                   const std::vector<Target>& targets, std::size_t v) {
+                   const std::vector<PlyTarget>& targets, std::size_t v) {
     Row row{};
     source.begin_row();
     for (std::size_t p = 0; p < plan.roles.size(); ++p) {
@@ -169,7 +150,8 @@ class BodyReader {
 
   // On all threads, if every row has the same size and all is well. Returns false if not: then nothing was read, and
   // whoever reads one row after the other finds the first error.
-  bool read_fixed_vertices(const PlyElement& element, const PlyVertexPlan& plan, const std::vector<Target>& targets) {
+  bool read_fixed_vertices(const PlyElement& element, const PlyVertexPlan& plan,
+                           const std::vector<PlyTarget>& targets) {
     std::size_t size = 0;
     for (const PlyProperty& property : element.properties) {
       if (property.count_type) return false;
@@ -179,55 +161,11 @@ class BodyReader {
     const PlyRows rows = source_.rows(size);
     std::atomic<bool> are_finite = true;
     for_each_range(count, threads_, [&](std::size_t begin, std::size_t end) {
-      if (!read_columns(rows, element, plan, targets, begin, end)) are_finite = false;
+      if (!read_vertex_rows(rows, element, plan, targets, begin, end, builder_)) are_finite = false;
     });
     if (!are_finite) return false;
     source_.skip_bytes(count * size);
     return true;
-  }
-
-  // Reads some of the vertices, property by property. Returns whether all coordinates are finite.
-  bool read_columns(const PlyRows& rows, const PlyElement& element, const PlyVertexPlan& plan,
-                    const std::vector<Target>& targets, std::size_t begin, std::size_t end) {
-    std::size_t place = 0;
-    for (std::size_t p = 0; p < plan.roles.size(); ++p) {
-      const PlyType type = element.properties[p].type;
-      const auto each = [&](const auto& use) { for_each_number(rows.from(begin), end - begin, place, type, use); };
-      read_column(each, plan, plan.roles[p], targets[p], begin);
-      place += size_of(type);
-    }
-    if (plan.colors && !plan.has[alpha]) {
-      for (std::size_t v = begin; v < end; ++v) builder_.colors()[v][3] = opaque;
-    }
-    return std::all_of(builder_.positions().begin() + static_cast<std::ptrdiff_t>(begin),
-                       builder_.positions().begin() + static_cast<std::ptrdiff_t>(end),
-                       [](const Vec3& position) { return position.allFinite(); });
-  }
-
-  // \param each calls what it is given with each number, and its row from `begin` on
-  template <class Each>
-  void read_column(const Each& each, const PlyVertexPlan& plan, PlyRole role, const Target& target, std::size_t begin) {
-    if (role <= z) {
-      Vec3* const to = builder_.positions().data() + begin;
-      const auto axis = static_cast<Eigen::Index>(role);
-      each([=](std::size_t i, auto number) { to[i][axis] = static_cast<double>(number); });
-    } else if (role <= nz) {
-      if (!plan.normals) return;
-      auto* const to = builder_.normals().data() + begin;
-      each([=](std::size_t i, auto number) { to[i][role - nx] = static_cast<float>(number); });
-    } else if (role <= alpha) {
-      if (!plan.colors) return;
-      Color* const to = builder_.colors().data() + begin;
-      const double unit = plan.color_units[role - red];
-      each([=](std::size_t i, auto number) {
-        to[i][role - red] = static_cast<float>(static_cast<double>(number) / unit);
-      });
-    } else if (role == tolerance) {
-      double* const to = builder_.tolerances().data() + begin;
-      each([=](std::size_t i, auto number) { to[i] = static_cast<double>(number); });
-    } else if (target.values != nullptr) {
-      each([&](std::size_t i, auto number) { target.set(begin + i, static_cast<double>(number)); });
-    }
   }
 
   // Warns of lost properties.
@@ -314,7 +252,7 @@ class BodyReader {
     if (attributes.empty()) return;
     const std::size_t n_before = builder_.face_count() - n_added;
     for (Attribute& attribute : attributes) attribute.values.resize(attribute.n_components * builder_.face_count());
-    const std::vector<Target> targets = targets_of(plan.others, attributes);
+    const std::vector<PlyTarget> targets = targets_of(plan.others, attributes);
     for (std::size_t p = 0; p < row.size(); ++p) {
       for (std::size_t i = 0; i < n_added && targets[p].values != nullptr; ++i) targets[p].set(n_before + i, row[p]);
     }
@@ -332,18 +270,21 @@ class BodyReader {
     const auto count = static_cast<std::size_t>(element.count);
     if (count == 0 || count > source_.bytes_left() / size) return false;
     if (plan.texcoords && count > most_elements / 3) return false;
-    Triangles read;
+    PlyTriangles read;
     resize_large(read.faces, count);
     if (plan.texcoords) resize_large(read.texcoords, 6 * count);
     auto& attributes = builder_.mesh().face_attributes;
     for (Attribute& attribute : attributes) {
       attribute.values.resize(attribute.n_components * (builder_.face_count() + count));
     }
-    const std::vector<Target> targets = targets_of(plan.others, attributes);
+    std::vector<PlyTarget> targets = targets_of(plan.others, attributes);
+    for (PlyTarget& target : targets) {
+      if (target.values != nullptr) target.values += builder_.face_count() * target.stride;
+    }
     std::atomic<bool> are_triangles = true;
     const PlyRows rows = source_.rows(size);
     for_each_range(count, threads_, [&](std::size_t begin, std::size_t end) {
-      if (!read_triangle_columns(rows, element, plan, targets, begin, end, read)) are_triangles = false;
+      if (!read_triangle_rows(rows, element, plan, targets, vertices_, begin, end, read)) are_triangles = false;
     });
     if (!are_triangles) {
       for (Attribute& attribute : attributes) attribute.values.resize(attribute.n_components * builder_.face_count());
@@ -354,58 +295,7 @@ class BodyReader {
     return true;
   }
 
-  struct Triangles {
-    std::vector<Triangle> faces;
-    std::vector<double> texcoords;
-  };
-
-  // Reads some of the faces, property by property. Returns false if one isn't a triangle, lacks texture coordinates, or
-  // has a corner that is no vertex.
-  bool read_triangle_columns(const PlyRows& rows, const PlyElement& element, const PlyFacePlan& plan,
-                             const std::vector<Target>& targets, std::size_t begin, std::size_t end,
-                             Triangles& read) const {
-    const PlyRows own = rows.from(begin);
-    const std::size_t n = end - begin;
-    std::size_t place = 0;
-    for (std::size_t p = 0; p < element.properties.size(); ++p) {
-      const PlyProperty& property = element.properties[p];
-      const bool are_corners = p == plan.corners;
-      const std::size_t length = are_corners ? 3 : p == plan.texcoords ? 6 : 1;
-      if (property.count_type) {
-        if (!all_are(static_cast<std::int64_t>(length), own, n, place, *property.count_type)) return false;
-        place += size_of(*property.count_type);
-      }
-      for (std::size_t i = 0; i < length; ++i, place += size_of(property.type)) {
-        const auto each = [&](const auto& use) { for_each_number(own, n, place, property.type, use); };
-        if (are_corners) {
-          if (!read_corners(each, i, read.faces.data() + begin)) return false;
-        } else if (p == plan.texcoords) {
-          double* const to = read.texcoords.data() + 6 * begin + i;
-          each([=](std::size_t f, auto number) { to[6 * f] = static_cast<double>(number); });
-        } else if (targets[p].values != nullptr) {
-          const std::size_t first = builder_.face_count() + begin;
-          each([&](std::size_t f, auto number) { targets[p].set(first + f, static_cast<double>(number)); });
-        }
-      }
-    }
-    return true;
-  }
-
-  // The corners of faces at one place. Returns whether all are vertices.
-  template <class Each>
-  bool read_corners(const Each& each, std::size_t place, Triangle* faces) const {
-    bool are_vertices = true;
-    each([&, n_vertices = vertices_](std::size_t f, auto number) {
-      const auto value = static_cast<double>(number);
-      const bool is_vertex = value >= 0 && value < static_cast<double>(n_vertices);
-      const Index vertex = is_vertex ? static_cast<Index>(value) : 0;
-      are_vertices &= is_vertex && static_cast<double>(vertex) == value;
-      faces[f][place] = vertex;
-    });
-    return are_vertices;
-  }
-
-  void add_fixed_triangles(Triangles read) {
+  void add_fixed_triangles(PlyTriangles read) {
     if (!read.texcoords.empty()) {
       std::vector<CornerItems>& items = builder_.corner_items();
       items.resize(3 * builder_.face_count());

@@ -7,8 +7,8 @@
 
 #include "bytes/byte_cursor.hh"
 #include "bytes/text_cursor.hh"
+#include "ply/ply_fixed_rows.hh"
 #include "ply/ply_header.hh"
-#include "ply/ply_rows.hh"
 
 // Where the reader takes numbers from. A source knows the encoding.
 
@@ -88,25 +88,8 @@ class PlyBinarySource {
   void end_row() {}
 
   double number(PlyType type, std::string_view what) {
-    switch (type) {
-      case PlyType::int8:
-        return cursor_.read<std::int8_t>(what);
-      case PlyType::uint8:
-        return cursor_.read<std::uint8_t>(what);
-      case PlyType::int16:
-        return cursor_.read<std::int16_t>(what);
-      case PlyType::uint16:
-        return cursor_.read<std::uint16_t>(what);
-      case PlyType::int32:
-        return cursor_.read<std::int32_t>(what);
-      case PlyType::uint32:
-        return cursor_.read<std::uint32_t>(what);
-      case PlyType::float32:
-        return cursor_.read<float>(what);
-      case PlyType::float64:
-        return cursor_.read<double>(what);
-    }
-    return 0;
+    return with_scalar_type(
+        type, [&]<class Number>(Number) { return static_cast<double>(cursor_.template read<Number>(what)); });
   }
   std::int64_t length(PlyType type, std::string_view what) { return entry(type, what); }
   std::int64_t entry(PlyType type, std::string_view what) {

@@ -24,6 +24,30 @@ enum class AttributeKind : std::uint8_t {
 /// How a file stores a number.
 enum class ScalarType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
+/// Calls `function` with a value of the type.
+template <class Function>
+decltype(auto) with_scalar_type(ScalarType type, const Function& function) {
+  switch (type) {
+    case ScalarType::int8:
+      return function(std::int8_t{});
+    case ScalarType::uint8:
+      return function(std::uint8_t{});
+    case ScalarType::int16:
+      return function(std::int16_t{});
+    case ScalarType::uint16:
+      return function(std::uint16_t{});
+    case ScalarType::int32:
+      return function(std::int32_t{});
+    case ScalarType::uint32:
+      return function(std::uint32_t{});
+    case ScalarType::float32:
+      return function(float{});
+    case ScalarType::float64:
+      break;
+  }
+  return function(double{});
+}
+
 /// A named attribute, with one value per wedge, or per face, of a mesh.
 struct Attribute {
   std::string name{};  ///< from the file: "TEXCOORD_0", "quality"
