@@ -13,7 +13,7 @@ struct PairFaces {
   std::span<const LinkEdge> first;   ///< those at a without b
   std::span<const LinkEdge> second;  ///< those at b without a
   std::span<const Index> opposites;  ///< the third corners of the common ones
-  std::array<VertexKind, 2> kinds;   ///< of a and b; if one of them is regular, the other may be any but that
+  std::array<VertexKind, 2> kinds;   ///< of a and b; if one is regular, the other's doesn't matter
 };
 
 /// The same of lists of faces. \param link with room for all vertices

@@ -44,7 +44,7 @@ void Rounds::run(double cost) {
 }
 
 void Rounds::begin_round() {
-  if (n_rounds_++ > 0) {
+  if (std::exchange(has_begun_, true)) {
     mesh_.begin_round(options_.threads);
     sum_up();
   }

@@ -144,7 +144,7 @@ class Rounds {
   // Of a round
   std::vector<std::uint8_t> states_;  ///< per vertex
   std::span<StarPlanes> stars_;       ///< per vertex
-  std::size_t n_rounds_ = 0;
+  bool has_begun_ = false;            ///< the first round, of which the sums are those of the start
   std::size_t n_candidates_ = 0;
   HeldPairs held_;
   PairCosts pair_costs_;

@@ -301,6 +301,13 @@ TEST(HeldPairs, WaitUntilTheirFacesChange) {
   EXPECT_EQ(held.cost({4, 5}, 1), 5.0F);
   EXPECT_EQ(held.cost({4, 5}, 7), 7.0F);
   EXPECT_EQ(held.cost({0, 5}, 1), 1.0F);
+  const std::vector<VertexPair> pairs{{0, 5}, {0, 1}, {2, 3}, {4, 5}};
+  std::vector<float> costs(pairs.size(), 1);
+  held.raise(pairs, costs);
+  for (std::size_t i = 0; i < pairs.size(); ++i) EXPECT_EQ(costs[i], held.cost(pairs[i], 1));
+  costs.assign(2, 7);
+  held.raise(std::span(pairs).subspan(2), costs);
+  EXPECT_EQ(costs, (std::vector<float>{7, 7}));
   held.note_change(0, 5);
   held.begin_round();
   EXPECT_EQ(held.cost({0, 1}, 1), 1.0F);
