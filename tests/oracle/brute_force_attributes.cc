@@ -1,9 +1,6 @@
 #include "oracle/brute_force_attributes.hh"
 
 #include <algorithm>
-#include <numeric>
-
-#include "whittle/core/wedges.hh"
 
 namespace whittle::test {
 
@@ -12,15 +9,9 @@ BruteForceAttributes::BruteForceAttributes(const IndexedMesh& mesh, const Frame&
   if (!looks_at_attributes(options, mesh)) return;
   const ScaledAttributes attributes = scaled_attributes(mesh, frame, options.attribute_weights);
   if (attributes.n_components == 0) return;
-  std::vector<Index> all(n_wedges(mesh));
-  std::iota(all.begin(), all.end(), Index{0});
-  std::vector<Index> vertex_of(all.size(), 0);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) vertex_of[mesh.wedge(f, k)] = mesh.faces[f][k];
-  }
+  surface_ = sum_attributes(mesh, frame, attributes, positions, 1);
   wedges_of_.resize(positions.size());
-  for (const Index w : all) wedges_of_[vertex_of[w]].push_back(w);
-  surface_ = sum_attributes(mesh, frame, attributes, all, vertex_of, positions, 1);
+  for (Index w = 0; w < surface_.vertex_of.size(); ++w) wedges_of_[surface_.vertex_of[w]].push_back(w);
 }
 
 std::vector<BruteForceAttributes::Match> BruteForceAttributes::matches(Index a, Index b, bool is_edge,

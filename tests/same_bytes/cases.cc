@@ -93,9 +93,11 @@ std::vector<Case> cases(const std::filesystem::path& data) {
   list.add(
       "hills", [] { return hills(24); }, recipes_of_options());
   list.add("rough_cube", [] { return rough_cube(48); }, {fast, best});
-  // Large enough for blocks and rounds, with a border and closed.
+  list.add("painted_hills", [] { return painted(hills(24)); }, {fast, normal, lindstrom_turk});
+  // Large enough for blocks and rounds, with a border and closed, and with attributes.
   list.add("large_hills", [] { return hills(272); }, {fast, normal});
   list.add("large_rough_cube", [] { return rough_cube(112); }, {fast, best});
+  list.add("large_painted_hills", [] { return painted(hills(272)); }, {fast, normal});
   list.add(
       "two_cubes", [] { return two_cubes(12); }, recipes_of_options());
   list.add("crossed_sheets", [] { return crossed_sheets(24); }, {fast, normal, lindstrom_turk});

@@ -50,6 +50,10 @@ std::string hash_of(const whittle::IndexedMesh& mesh) {
   for (const auto& color : mesh.colors) {
     for (const float x : color) hash.add(x);
   }
+  for (const auto& attribute : mesh.attributes) {
+    for (const double x : attribute.values) hash.add(x);
+  }
+  for (const auto wedge : mesh.wedges) hash.add(wedge);
   return hash.text();
 }
 

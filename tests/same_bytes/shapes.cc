@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace whittle::test {
 namespace {
@@ -93,6 +95,27 @@ IndexedMesh crossed_sheets(unsigned n) {
   add_grid(mesh, n, [&](unsigned column, unsigned row) {
     return row == 0 ? (n + 1) * (n / 2) + column : first + (n + 1) * (row - 1) + column;
   });
+  return mesh;
+}
+
+IndexedMesh painted(IndexedMesh mesh) {
+  const auto n = static_cast<Index>(mesh.positions.size());
+  // A wedge a vertex and chart: the first and the second half of the faces.
+  Attribute uv{"uv", AttributeKind::texcoord, 2};
+  std::vector<Color> colors;
+  for (Index w = 0; w < 2 * n; ++w) {
+    const Vec3& p = mesh.positions[w % n];
+    const double shift = w < n ? 0 : 3;
+    uv.values.push_back(shift + p.x() + 0.25 * p.z() * p.z());
+    uv.values.push_back(p.y() + 0.5 * p.x() * p.z());
+    const auto level = [](double x) { return static_cast<float>(0.5 + 0.5 * x / (1 + x * x)); };
+    colors.push_back({level(p.x() * p.y()), level(4 * p.z()), level(p.x() - p.y()), 1});
+  }
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (const Index v : mesh.faces[f]) mesh.wedges.push_back(2 * f < mesh.faces.size() ? v : v + n);
+  }
+  mesh.colors = std::move(colors);
+  mesh.attributes.push_back(std::move(uv));
   return mesh;
 }
 

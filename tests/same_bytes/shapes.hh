@@ -19,4 +19,7 @@ IndexedMesh two_cubes(unsigned n);
 /// A square of 2 n² faces with a second one standing on its middle line: that line's edges have three faces or four.
 IndexedMesh crossed_sheets(unsigned n);
 
+/// The mesh with a texture of two charts and with colours. \pre its coordinates are about 1
+IndexedMesh painted(IndexedMesh mesh);
+
 }  // namespace whittle::test

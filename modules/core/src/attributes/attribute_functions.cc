@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "whittle/core/attribute_blend.hh"
@@ -62,6 +65,29 @@ std::vector<Index> charts_of(const IndexedMesh& mesh, const std::vector<Index>& 
   return charts;
 }
 
+/// Charts numbered from 0 on, per wedge, and their number.
+std::pair<std::vector<Index>, Index> numbered(const std::vector<Index>& charts) {
+  std::vector<Index> numbers(charts.size(), invalid_index);
+  std::vector<Index> of_wedges(charts.size(), invalid_index);
+  Index n = 0;
+  for (Index w = 0; w < charts.size(); ++w) {
+    if (charts[w] == invalid_index) continue;
+    if (numbers[charts[w]] == invalid_index) numbers[charts[w]] = n++;
+    of_wedges[w] = numbers[charts[w]];
+  }
+  return {of_wedges, n};
+}
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(double number) {
+    low = std::min(low, number);
+    high = std::max(high, number);
+  }
+};
+
 }  // namespace
 
 std::vector<Index> attribute_charts(const IndexedMesh& mesh, std::span<const double> values, std::size_t n_components) {
@@ -92,22 +118,15 @@ std::vector<Index> AttributeFunctions::find_charts() const {
 }
 
 /// \param charts as of `find_charts`
-void AttributeFunctions::find_linear_charts(const std::vector<Index>& charts, unsigned threads) {
-  std::vector<Index> numbers(charts.size(), invalid_index);
-  std::vector<Index> of_wedges(charts.size(), invalid_index);
-  Index n_charts = 0;
-  for (Index w = 0; w < charts.size(); ++w) {
-    if (charts[w] == invalid_index) continue;
-    if (numbers[charts[w]] == invalid_index) numbers[charts[w]] = n_charts++;
-    of_wedges[w] = numbers[charts[w]];
-  }
+void AttributeFunctions::find_linear_charts(std::vector<Index> charts, unsigned threads) {
+  drop_bent_charts(charts, threads);
+  const auto [of_wedges, n_charts] = numbered(charts);
+  if (n_charts == 0) return;
   const LocalFunctions of_charts(functions_.input(), functions_.frame(), of_wedges, n_charts, threads);
   charts_.resize(n_charts * n_linear_);
   for_each_range(n_charts, threads, [&](std::size_t begin, std::size_t end) {
     for (auto chart = static_cast<Index>(begin); chart < end; ++chart) {
-      for (std::size_t i = 0; i < n_linear_ && of_charts.any(chart); ++i) {
-        charts_[chart * n_linear_ + i] = chart_of(of_charts, chart, i);
-      }
+      if (of_charts.any(chart)) find_chart(of_charts, chart);
     }
   });
   for (Index w = 0; w < of_wedges.size(); ++w) {
@@ -116,28 +135,75 @@ void AttributeFunctions::find_linear_charts(const std::vector<Index>& charts, un
   }
 }
 
-AttributeFunctions::Chart AttributeFunctions::chart_of(const LocalFunctions& charts, Index chart, std::size_t i) const {
-  const LocalFunction function = charts.around(chart, [&](Index wedge) { return number(wedge, i); });
-  if (!function.is_linear) return {};
-  const double most = most_apart * (function.high - function.low);
-  bool is_linear = true;
-  charts.for_each_corner(chart, [&](Index wedge, const Vec3& position) {
-    is_linear = is_linear && std::abs(function.at(position) - number(wedge, i)) <= most;
-  });
-  return {is_linear, function};
+void AttributeFunctions::find_chart(const LocalFunctions& charts, Index chart) {
+  const std::vector<LocalFunction> functions =
+      charts.around(chart, n_linear_, [&](Index wedge, std::size_t i) { return number(wedge, i); });
+  for (std::size_t i = 0; i < n_linear_; ++i) {
+    const LocalFunction& function = functions[i];
+    if (!function.is_linear) continue;
+    const double most = most_apart * (function.high - function.low);
+    bool is_linear = true;
+    charts.for_each_corner(chart, [&](Index wedge, const Vec3& position) {
+      is_linear = is_linear && std::abs(function.at(position) - number(wedge, i)) <= most;
+    });
+    charts_[chart * n_linear_ + i] = {is_linear, function};
+  }
 }
 
-LocalFunction AttributeFunctions::of(Index w, std::size_t i) const {
-  LocalFunction local = functions_.around(w, [&](Index wedge) { return number(wedge, i); });
-  const Chart chart = chart_of_[w] == invalid_index ? Chart{} : charts_[chart_of_[w] * n_linear_ + i];
-  if (!chart.is_linear) {
-    local.stays = true;  // a step is linear, too, where few points are around
-    return local;
+/// Most charts are not linear, and a few of their faces tell: if a function was `most_apart` from none of the chart's
+/// numbers, the best one for these faces would leave no more than that.
+void AttributeFunctions::drop_bent_charts(std::vector<Index>& charts, unsigned threads) const {
+  constexpr std::size_t n_sampled = 64;  // wedges of a chart
+  const auto [of_wedges, n_charts] = numbered(charts);
+  std::vector<std::size_t> n_points(n_charts);
+  std::vector<Range> ranges(n_charts * n_linear_);
+  for (Index w = 0; w < of_wedges.size(); ++w) {
+    if (of_wedges[w] == invalid_index) continue;
+    ++n_points[of_wedges[w]];
+    for (std::size_t i = 0; i < n_linear_; ++i) ranges[of_wedges[w] * n_linear_ + i].add(number(w, i));
   }
-  LocalFunction function = chart.function;
-  function.low = local.low;
-  function.high = local.high;
-  return function;
+  std::vector<Index> sampled(of_wedges.size(), invalid_index);
+  std::vector<std::size_t> places(n_charts);
+  for (Index w = 0; w < of_wedges.size(); ++w) {
+    const Index chart = of_wedges[w];
+    if (chart != invalid_index && places[chart]++ % (n_points[chart] / n_sampled + 1) == 0) sampled[w] = chart;
+  }
+  const LocalFunctions samples(functions_.input(), functions_.frame(), sampled, n_charts, threads);
+  const auto may_be_linear = [&](Index chart) {
+    if (!samples.any(chart)) return true;
+    const std::vector<LocalFunction> functions =
+        samples.around(chart, n_linear_, [&](Index wedge, std::size_t i) { return number(wedge, i); });
+    for (std::size_t i = 0; i < n_linear_; ++i) {
+      const Range& range = ranges[chart * n_linear_ + i];
+      if (!(range.high > range.low)) continue;                        // local functions are constant, too
+      const double most = 2 * most_apart * (range.high - range.low);  // with a margin for rounding
+      if (!(functions[i].residual > most * most)) return true;
+    }
+    return false;
+  };
+  std::vector<std::uint8_t> is_bent(n_charts);
+  for (Index chart = 0; chart < n_charts; ++chart) is_bent[chart] = may_be_linear(chart) ? 0 : 1;
+  for (Index w = 0; w < charts.size(); ++w) {
+    if (of_wedges[w] != invalid_index && is_bent[of_wedges[w]] != 0) charts[w] = invalid_index;
+  }
+}
+
+std::vector<LocalFunction> AttributeFunctions::of(Index w) const {
+  std::vector<LocalFunction> all =
+      functions_.around(w, n_linear_, [&](Index wedge, std::size_t i) { return number(wedge, i); });
+  for (std::size_t i = 0; i < n_linear_; ++i) {
+    LocalFunction& local = all[i];
+    const Chart chart = chart_of_[w] == invalid_index ? Chart{} : charts_[chart_of_[w] * n_linear_ + i];
+    if (!chart.is_linear) {
+      local.stays = true;  // a step is linear, too, where few points are around
+      continue;
+    }
+    const auto [low, high] = std::pair(local.low, local.high);
+    local = chart.function;
+    local.low = low;
+    local.high = high;
+  }
+  return all;
 }
 
 /// Each joint's weight is a separate number. The greatest weights that fit into a value are kept.
@@ -153,14 +219,15 @@ void AttributeFunctions::move_joint_weights(Index w, const Vec3& position, std::
   });
   std::sort(joints.begin(), joints.end());
   joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+  const auto weight_of = [&](Index wedge, std::size_t j) {
+    double sum = 0;
+    for (std::size_t i = 0; i < k; ++i) sum += joint_at(wedge, i) == joints[j] ? weight_at(wedge, i) : 0;
+    return sum;
+  };
+  const std::vector<LocalFunction> functions = functions_.around(w, joints.size(), weight_of);
   std::vector<std::array<double, 2>> moved;  // weight, joint
-  for (const double joint : joints) {
-    const LocalFunction function = functions_.around(w, [&](Index wedge) {
-      double sum = 0;
-      for (std::size_t i = 0; i < k; ++i) sum += joint_at(wedge, i) == joint ? weight_at(wedge, i) : 0;
-      return sum;
-    });
-    moved.push_back({std::max(0.0, function.in_range(function.at(position), position)), joint});
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    moved.push_back({std::max(0.0, functions[j].in_range(functions[j].at(position), position)), joints[j]});
   }
   std::stable_sort(moved.begin(), moved.end(), [](const auto& a, const auto& b) { return a[0] > b[0]; });
   moved.resize(std::min(k, moved.size()));
@@ -180,8 +247,9 @@ void AttributeFunctions::move(Index w, const Vec3& position, std::span<double> v
   if (!any(w)) return;
   if (kind_ == AttributeKind::joint_weights) return move_joint_weights(w, position, value);
   const std::vector<double> before(value.begin(), value.end());
+  const std::vector<LocalFunction> functions = of(w);
   for (std::size_t i = 0; i < n_linear_; ++i) {
-    const LocalFunction function = of(w, i);
+    const LocalFunction& function = functions[i];
     const double moved = function.in_range(function.at(position), position);
     if (std::isfinite(moved)) value[i] = moved;
   }

@@ -1,5 +1,4 @@
 #include "whittle/core/local_functions.hh"
-#include "whittle/core/geometry/triangle.hh"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -8,7 +7,11 @@
 #include <cmath>
 #include <vector>
 
+#include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/symmetric_matrix.hh"
+#include "whittle/core/geometry/triangle.hh"
+#include "whittle/core/wedges.hh"
 
 namespace whittle {
 namespace {
@@ -44,20 +47,11 @@ double LocalFunction::in_range(double number, const Vec3& position) const {
   return std::clamp(number, std::min(low, linear), std::max(high, linear));
 }
 
-void LocalFunctions::Sums::add(double w, const Vec3& from_center, double number) {
-  const double apart = number - first;
-  weight += w;
-  value += w * apart;
-  square += w * apart * apart;
-  moment += w * apart * from_center;
-  low = std::min(low, number);
-  high = std::max(high, number);
-}
-
 LocalFunctions::LocalFunctions(const IndexedMesh& input, const Frame& frame, std::span<const Index> wedge_map,
                                std::size_t n_wedges, unsigned threads)
-    : input_(input), frame_(frame), wedge_map_(wedge_map), areas_(areas_of(input, frame, threads)), places_(n_wedges) {
-  faces_of_ = detail::IndexLists<Index>(n_wedges, [&](const auto& emit) {
+    : input_(input), frame_(frame), wedge_map_(wedge_map), places_(n_wedges) {
+  const std::vector<double> areas = areas_of(input, frame, threads);
+  const detail::IndexLists<Index> faces_of(n_wedges, [&](const auto& emit) {
     for (Index f = 0; f < input.faces.size(); ++f) {
       std::array<Index, 3> of{};
       for (std::size_t k = 0; k < 3; ++k) of[k] = wedge_map[input.wedge(f, k)];
@@ -69,45 +63,65 @@ LocalFunctions::LocalFunctions(const IndexedMesh& input, const Frame& frame, std
     }
   });
   for_each_range(n_wedges, threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> places_of(::whittle::n_wedges(input));
     for (auto w = static_cast<Index>(begin); w < end; ++w) {
-      if (any(w)) places_[w] = place_of(w);
+      const std::span<const Index> faces = faces_of.of(w);
+      if (faces.empty()) continue;
+      places_[w].n_faces = faces.size();
+      places_[w].corners = corners_of_faces(faces, areas, places_of);
+      find_axes(places_[w]);
     }
   });
 }
 
-LocalFunctions::Place LocalFunctions::place_of(Index w) const {
-  const Vec3 first = frame_.to_frame(input_.positions[input_.faces[faces_of_.of(w).front()][0]]);
+/// Each wedge once. \param places_of scratch, as long as the input has wedges
+std::vector<LocalFunctions::Corner> LocalFunctions::corners_of_faces(std::span<const Index> faces,
+                                                                     std::span<const double> areas,
+                                                                     std::span<Index> places_of) const {
+  std::vector<Corner> corners;
+  for (const Index f : faces) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index w = input_.wedge(f, k);
+      Index& place = places_of[w];
+      const bool is_new = place >= corners.size() || corners[place].wedge != w;
+      if (is_new) {
+        place = static_cast<Index>(corners.size());
+        corners.push_back({w, input_.faces[f][k], 0});
+      }
+      corners[place].weight += areas[f] / 3;
+    }
+  }
+  return corners;
+}
+
+void LocalFunctions::find_axes(Place& place) const {
+  const Vec3 first = position_of(place.corners.front());
   double weight = 0;
   Vec3 sum = Vec3::Zero();
-  const auto for_each_corner = [&](const auto& visit) {
-    for (const Index f : faces_of_.of(w)) {
-      for (const Index v : input_.faces[f]) visit(areas_[f] / 3, frame_.to_frame(input_.positions[v]) - first);
-    }
-  };
-  for_each_corner([&](double area, const Vec3& p) {
-    weight += area;
-    sum += area * p;
-  });
+  for (const Corner& corner : place.corners) {
+    weight += corner.weight;
+    sum += corner.weight * (position_of(corner) - first);
+  }
   const Vec3 mean = sum / weight;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for_each_corner([&](double area, const Vec3& p) {
-    const Vec3 apart = p - mean;
-    for (int i = 0; i < 3; ++i) {
-      for (int k = 0; k < 3; ++k) covariance(i, k) += area * apart[i] * apart[k];
-    }
-  });
+  SymmetricMatrix moments;
+  for (const Corner& corner : place.corners) {
+    moments += SymmetricMatrix::outer(position_of(corner) - first - mean, corner.weight);
+  }
+  Eigen::Matrix3d covariance;
+  covariance << moments.xx, moments.xy, moments.xz, moments.xy, moments.yy, moments.yz, moments.xz, moments.yz,
+      moments.zz;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance / weight);
-  Place place{first + mean, solver.eigenvectors(), solver.eigenvalues()};
+  place.center = first + mean;
+  place.axes = solver.eigenvectors();
+  place.variance = solver.eigenvalues();
   const double least = least_variance * place.variance[2];
   for (int i = 0; i < 3; ++i) place.variance[i] = place.variance[i] > least ? place.variance[i] : 0;
-  return place;
 }
 
-LocalFunction LocalFunctions::function_of(Index w, const Sums& sums) const {
-  const Place& place = places_[w];
+LocalFunction LocalFunctions::function_of(const Place& place, const Sums& sums) {
   const double mean = sums.value / sums.weight;
   const double variance = std::max(0.0, sums.square / sums.weight - mean * mean);
-  LocalFunction function{place.center, sums.first + mean, Vec3::Zero(), sums.low, sums.high, false, false};
+  LocalFunction function{place.center, sums.first + mean, Vec3::Zero(), sums.low, sums.high};
   Vec3 slopes = Vec3::Zero();
   Vec3 explained = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
@@ -117,7 +131,8 @@ LocalFunction LocalFunctions::function_of(Index w, const Sums& sums) const {
     explained[i] = moment * slopes[i];
   }
   const double left = std::max(0.0, variance - (explained[0] + explained[1] + explained[2]));
-  const double noise = left / static_cast<double>(faces_of_.of(w).size());
+  function.residual = left;
+  const double noise = left / static_cast<double>(place.n_faces);
   for (int i = 0; i < 3; ++i) {
     if (explained[i] > 0) function.slope += slopes[i] * (explained[i] / (explained[i] + noise)) * place.axes.col(i);
   }

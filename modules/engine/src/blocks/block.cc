@@ -121,8 +121,12 @@ CostState Block::state_here(const WorkingSurface& surface) const {
   const CostState& of_surface = surface.cost_state;
   const double share = static_cast<double>(own_faces_.size()) / static_cast<double>(surface.faces.size());
   const double n_faces = share * static_cast<double>(of_surface.face_area->n_faces());
-  return {of_surface.face_area->of_part(static_cast<std::uint64_t>(std::max(1.0, n_faces))),
-          quadrics_here(of_surface.quadrics), quadrics_here(of_surface.seams)};
+  CostState here;
+  here.face_area = of_surface.face_area->of_part(static_cast<std::uint64_t>(std::max(1.0, n_faces)));
+  here.quadrics = quadrics_here(of_surface.quadrics);
+  here.seams = quadrics_here(of_surface.seams);
+  here.attributes = of_surface.attributes.at(vertices_);
+  return here;
 }
 
 void Block::finish(BlockResults& results) {
@@ -133,6 +137,7 @@ void Block::finish(BlockResults& results) {
   for (std::vector<VertexQuadric>* const all : {&part_.cost_state.quadrics, &part_.cost_state.seams}) {
     for (VertexQuadric& q : *all) q.vertex = survivors_[q.vertex].vertex;
   }
+  for (Index& v : part_.cost_state.attributes.vertex_of) v = survivors_[v].vertex;
   for (auto& [pair, reason] : part_.refusals) pair = {vertices_[pair.a], vertices_[pair.b]};
   part_.faces = {};
 }

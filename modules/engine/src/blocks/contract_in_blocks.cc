@@ -59,7 +59,7 @@ std::string_view run_levels(const LevelContext& context, const BlockPlan& plan, 
                             WorkingSurface& surface, StageReport& report) {
   LevelPlan level{plan.faces_per_block, 0.5, Role::alone};
   LevelGoal goal;
-  goal.surplus = surplus_of_blocks(plan, goes_to_target(context.stage.options, context.input), context.target_share);
+  goal.surplus = surplus_of_blocks(plan, goes_to_target(context.stage.options), context.target_share);
   goal.most_nonmanifold = plan.highest_nonmanifold_share * n_vertices_left;
   if (context.stage.limits.displacement) {
     goal.cost = std::numeric_limits<double>::infinity();
@@ -112,10 +112,7 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   } else {
     if (!cost_traits(options.effective_cost()).goes_in_blocks) return "the cost may fall, or is not of quadrics";
     if (options.effective_order() != Order::approximate) return "the order is exact";
-    if (mesh.faces.size() < plan.fewest_faces_in_detail) {
-      if (is_told) return "contractions are told in order";
-      if (looks_at_attributes(options, mesh)) return "attributes count";
-    }
+    if (is_told && mesh.faces.size() < plan.fewest_faces_in_detail) return "contractions are told in order";
   }
   if (options.quadric.placement != Placement::optimal) return "vertices stay where they are";
   if (options.valence_weight > 0) return "the cost has a term for valences";
@@ -131,8 +128,8 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   return {};
 }
 
-bool goes_to_target(const DecimateOptions& options, const IndexedMesh& mesh) {
-  return options.effective_cost() == Cost::memoryless && !options.keep_quadrics && !looks_at_attributes(options, mesh);
+bool goes_to_target(const DecimateOptions& options) {
+  return options.effective_cost() == Cost::memoryless && !options.keep_quadrics;
 }
 
 double n_vertices_left(const DecimateTarget& target, const IndexedMesh& mesh) {
@@ -152,12 +149,14 @@ StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh,
   const std::size_t n_vertices = surface.positions.size();
   const std::size_t n_faces = surface.faces.size();
   SharedProgress progress(options, n_vertices, n_faces, std::min(0.999, target.share_of(n_faces, n_vertices)));
-  bool ends_in_rounds = goes_to_target(options, mesh) && !context.limits.displacement;
+  bool ends_in_rounds = goes_to_target(options) && !context.limits.displacement;
   const double fewest_left = ends_in_rounds ? plan.fewest_faces_left_before_rounds : plan.fewest_faces_left;
   const double share = std::max(fewest_left / static_cast<double>(plan.faces_per_block),
                                 target.share_of(mesh.faces.size(), mesh.positions.size()));
   const LevelContext level_context{context, mesh, share, progress};
+  SurfaceAttributes attributes = std::move(surface.cost_state.attributes);
   WorkingSurface left = surface;
+  left.cost_state.attributes = std::move(attributes);
   StageReport report;
   if (context.keeps_steps) reserve_large(report.steps.contractions, mesh.positions.size());
   std::string_view why_not;
@@ -172,7 +171,11 @@ StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh,
   }
   if (ends_in_rounds && why_not.empty() && !progress.is_cancelled())
     contract_in_rounds(level_context, target, left, report);
-  if (why_not.empty()) surface = std::move(left);
+  if (why_not.empty()) {
+    surface = std::move(left);
+  } else {
+    surface.cost_state.attributes = std::move(left.cost_state.attributes);
+  }
   report.result.why_in_one_pass = why_not;
   if (progress.is_cancelled()) report.result.stop = StopReason::cancelled;
   report.progress = progress.now().fraction;

@@ -10,8 +10,8 @@ namespace whittle {
 /// How a mesh is cut into blocks. The defaults are for a second-level cache of half a megabyte and more.
 struct BlockPlan {
   std::size_t fewest_faces = 20000;             ///< smaller meshes are not cut
-  std::size_t fewest_faces_in_detail = 140000;  ///< nor are these, if contractions are told or attributes count: blocks
-                                                ///< keep the order less well, and know no attributes
+  std::size_t fewest_faces_in_detail = 140000;  ///< nor are these, if contractions are told: blocks keep the order less
+                                                ///< well
   std::size_t fewest_faces_again = 262144;  ///< what is left is cut once more, along other borders, if it has so many
   std::size_t faces_per_block = 16384;
   double fewest_faces_left = 256;                 ///< in a block: of fewer, too many would lie at borders
@@ -44,7 +44,7 @@ inline bool is_exact_in_blocks(const DecimateOptions& options) {
 }
 
 /// Whether what blocks leave is contracted in rounds down to the target. Else it is left to a stage that looks at more.
-bool goes_to_target(const DecimateOptions& options, const IndexedMesh& mesh);
+bool goes_to_target(const DecimateOptions& options);
 
 /// Whether so little of the input isn't manifold that what blocks leave may be left to rounds: they contract less of
 /// that than a queue. \param before counts of the input

@@ -37,6 +37,7 @@ class Stitching {
   void write_faces(WorkingSurface& left) const;
   void write_vertex_map(WorkingSurface& left) const;
   void write_quadrics(std::vector<VertexQuadric> CostState::*list, WorkingSurface& left) const;
+  void write_attributes(WorkingSurface& left) const;
   void write_refusals(WorkingSurface& left) const;
 
  private:
@@ -144,6 +145,44 @@ void Stitching::write_quadrics(std::vector<VertexQuadric> CostState::*list, Work
   });
 }
 
+/// As `write_quadrics`.
+void Stitching::write_attributes(WorkingSurface& left) const {
+  const SurfaceAttributes& before = surface_.cost_state.attributes;
+  if (!before.wedges.any()) return;
+  struct Source {
+    const SurfaceAttributes* table = nullptr;
+    Index first = 0, n = 0;
+  };
+  std::vector<Source> sources(n_vertices_);  // by vertex left
+  const auto note = [&](const SurfaceAttributes& table, Index w) {
+    const Index v = vertex_number_[table.vertex_of[w]];
+    if (v == invalid_index) return;
+    if (sources[v].n == 0) sources[v] = {&table, w};
+    ++sources[v].n;
+  };
+  for_each_block(blocks_.size() + 1, threads_, [&](std::size_t b) {
+    const bool is_before = b == blocks_.size();
+    const SurfaceAttributes& table = is_before ? before : blocks_[b]->cost_state().attributes;
+    for (Index w = 0; w < table.vertex_of.size(); ++w) {
+      if (!is_before || partition_.is_shared[table.vertex_of[w]] != 0) note(table, w);
+    }
+  });
+  std::vector<Index> firsts(n_vertices_);
+  Index sum = 0;
+  for (Index v = 0; v < n_vertices_; ++v) firsts[v] = std::exchange(sum, sum + sources[v].n);
+  SurfaceAttributes& after = left.cost_state.attributes;
+  after = {before.wedges.of_same_kind(sum), std::vector<Index>(sum), before.farthest};
+  for_each_range(n_vertices_, threads_, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<Index>(begin); v < end; ++v) {
+      const auto& [table, first, n] = sources[v];
+      for (Index i = 0; i < n; ++i) {
+        after.wedges.copy(firsts[v] + i, table->wedges, first + i);
+        after.vertex_of[firsts[v] + i] = v;
+      }
+    }
+  });
+}
+
 /// No block knows pairs of two frozen vertices.
 void Stitching::write_refusals(WorkingSurface& left) const {
   const auto carry = [&](const GuardedPair& r) {
@@ -169,6 +208,7 @@ WorkingSurface stitch(const WorkingSurface& surface, const Partition& partition,
   stitching.write_vertex_map(left);
   stitching.write_quadrics(&CostState::quadrics, left);
   stitching.write_quadrics(&CostState::seams, left);
+  stitching.write_attributes(left);
   stitching.write_refusals(left);
   return left;
 }

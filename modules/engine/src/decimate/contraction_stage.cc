@@ -1,16 +1,13 @@
 #include "decimate/staged_run.hh"
 
 #include <algorithm>
-#include <numeric>
 
-#include "attributes/wedge_map.hh"
 #include "cost/fold_edges.hh"
 #include "cost/seam_planes.hh"
 #include "decimate/input_lines.hh"
 #include "loop/contraction_log.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/core/wedges.hh"
 #include "whittle/engine/threshold_pairs.hh"
 
 namespace whittle {
@@ -66,19 +63,6 @@ DecimateResult cancelled_at_once(const TriangleComplex& complex) {
   return result;
 }
 
-/// The wedges of the input as they are, and the vertex of each; no vertices where each has one wedge.
-WedgeMap wedges_of(const IndexedMesh& mesh) {
-  WedgeMap map;
-  map.of_input.resize(n_wedges(mesh));
-  std::iota(map.of_input.begin(), map.of_input.end(), Index{0});
-  if (mesh.wedges.empty()) return map;
-  map.vertex_of.resize(map.of_input.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) map.vertex_of[mesh.wedge(f, k)] = mesh.faces[f][k];
-  }
-  return map;
-}
-
 }  // namespace
 
 /// How much of the way to the target is behind once `stop` is reached, of that which is left now. [0, 1]
@@ -128,21 +112,16 @@ ThresholdPairCounts StagedRun::prepare_input(const DecimateOptions& options, Pre
   return counts;
 }
 
-/// Wedges are as the stage before left them. The first stage that looks at attributes sums them from the input.
-void StagedRun::sum_attributes_of_surface() {
+/// For the first stage. Later ones take over what the one before left.
+void StagedRun::sum_attributes_of_input() {
   WorkingSurface& surface = state_.surface;
-  SurfaceAttributes& sums = surface.cost_state.attributes;
-  if (sums.wedges.any() || host_ || !looks_at_attributes(options_, mesh_)) return;
+  const bool is_known = surface.cost_state.attributes.wedges.any();
+  if (!surface.is_input() || is_known || host_ || !looks_at_attributes(options_, mesh_)) return;
   const ScaledAttributes attributes = scaled_attributes(mesh_, frame_, options_.attribute_weights);
   if (attributes.n_components == 0) return;
-  WedgeMap map = surface.is_input() ? wedges_of(mesh_) : map_wedges(mesh_, surface.vertex_map, surface.face_origins);
-  if (map.vertex_of.empty()) {  // a wedge a vertex
-    map.vertex_of.resize(n_vertices_left());
-    std::iota(map.vertex_of.begin(), map.vertex_of.end(), Index{0});
-  }
   std::vector<Vec3> positions(surface.positions.begin(), surface.positions.end());
   for (Vec3& p : positions) p = surface.frame.to_frame(p);
-  sums = sum_attributes(mesh_, frame_, attributes, map.of_input, std::move(map.vertex_of), positions, options_.threads);
+  surface.cost_state.attributes = sum_attributes(mesh_, frame_, attributes, positions, options_.threads);
 }
 
 /// Of the input. \param contractor before its first contraction
@@ -214,7 +193,7 @@ DecimateResult StagedRun::contract(const DecimateTarget& stop, bool is_last, con
   Preparation preparation(options);
   ThresholdPairCounts pairs;
   if (surface.is_input()) pairs = prepare_input(options, preparation);
-  sum_attributes_of_surface();
+  sum_attributes_of_input();
   const std::vector<std::uint8_t> locked = surface.of_vertices(options_.locked);
   const std::vector<Index> kept_areas = surface.of_faces(areas().of(stop));
   LargeArray<Contraction> made(keeps_steps() ? n_vertices_left() : 0);

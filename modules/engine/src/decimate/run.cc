@@ -15,7 +15,7 @@ namespace {
 DecimateTarget target_of_blocks(const StagedRun& run, const DecimateTarget& first_stop, const BlockPlan& plan) {
   const std::vector<double>& checkpoints = run.options().pauses.at;
   const bool is_early = !checkpoints.empty() && checkpoints.front() > plan.surplus;
-  return is_early || goes_to_target(run.options(), run.mesh()) ? first_stop : run.target();
+  return is_early || goes_to_target(run.options()) ? first_stop : run.target();
 }
 
 /// Whether blocks may have made contractions in exact order that come after the last one.
@@ -28,7 +28,7 @@ bool is_beyond_target(const DecimateResult& in_blocks, const DecimateResult& aft
 void contract_to_target(StagedRun& run, const BlockPlan& plan) {
   const std::vector<DecimateTarget> all_stops = run.stops();
   const DecimateResult in_blocks = run.contract_in_blocks(target_of_blocks(run, all_stops.front(), plan), plan);
-  const bool goes_on_in_rounds = in_blocks.why_in_one_pass.empty() && goes_to_target(run.options(), run.mesh()) &&
+  const bool goes_on_in_rounds = in_blocks.why_in_one_pass.empty() && goes_to_target(run.options()) &&
                                  is_nearly_manifold(in_blocks.before, all_stops.front(), run.mesh());
   const std::vector<DecimateTarget> stops = goes_on_in_rounds ? all_stops : run.stops();
   const auto contract_to_stop = [&](std::size_t i) { return run.contract(stops[i], i + 1 == stops.size()); };

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "cost/attributes/attribute_quadrics.hh"
 #include "rounds/star_planes.hh"
 #include "whittle/core/vertex_pair.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
@@ -18,13 +19,20 @@ class PairCosts {
 
   /// \param costs per pair, rounded to single precision
   void rank(std::span<const VertexPair> pairs, std::span<float> costs) const;
+  /// The same with attributes.
+  void rank(std::span<const VertexPair> pairs, const AttributeQuadrics& attributes, std::span<float> costs) const;
   PairEvaluation of(const VertexPair& pair) const;
   /// Of vertices that know other planes besides.
   PairEvaluation of(const PlacedQuadric& first, const PlacedQuadric& second,
                     PairConstraint constraint = PairConstraint::none) const;
+  // With attributes.
+  PairEvaluation of(const VertexPair& pair, const PairAttributes& attributes) const;
+  PairEvaluation of(const PlacedQuadric& first, const PlacedQuadric& second, const PairAttributes& attributes,
+                    PairConstraint constraint) const;
 
  private:
   struct Kernels;
+  PairEvaluation in_unit(PairEvaluation evaluation, const PlacedQuadric& first, const PlacedQuadric& second) const;
   PlacedQuadric placed(Index v) const { return {points_[v], {stars_[v].matrix(), Vec3::Zero(), 0}}; }
 
   std::span<const LanePoint> points_;

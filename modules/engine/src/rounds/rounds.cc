@@ -113,7 +113,7 @@ void Rounds::list_pairs_at(std::span<const Index> vertices, PairChunk& chunk) {
   }
   const std::span<const VertexPair> pairs(first, next);
   const auto costs = std::span(scratch_->costs).subspan(chunk.begin, pairs.size());
-  pair_costs_.rank(pairs, costs);
+  attributes_.any() ? pair_costs_.rank(pairs, attributes_, costs) : pair_costs_.rank(pairs, costs);
   held_.raise(pairs, costs);
   chunk.end = chunk.begin + pairs.size();
 }
@@ -229,11 +229,16 @@ PlacedQuadric Rounds::placed(Index v) const {
 }
 
 PairEvaluation Rounds::rank(const VertexPair& pair) const {
-  if (!is_special(pair)) return pair_costs_.of(pair);
+  if (!is_special(pair) && !attributes_.any()) return pair_costs_.of(pair);
   const PairConstraint constraint = has(pair.a, locked)   ? PairConstraint::first
                                     : has(pair.b, locked) ? PairConstraint::second
                                                           : PairConstraint::none;
-  return pair_costs_.of(placed(pair.a), placed(pair.b), constraint);
+  const PlacedQuadric first = placed(pair.a);
+  const PlacedQuadric second = placed(pair.b);
+  if (!attributes_.any()) return pair_costs_.of(first, second, constraint);
+  const PairAttributes attributes =
+      attributes_.of({invalid_index, pair.a, pair.b}, true, second.position - first.position);
+  return pair_costs_.of(first, second, attributes, constraint);
 }
 
 std::optional<Refusal> Rounds::refusal_at(const Vec3& position) {
@@ -274,7 +279,7 @@ void Rounds::merge(const VertexPair& pair, const PairEvaluation& ranked, const V
   for (const Index v : star_.opposites()) note_change(v);
   for (const Index v : {a, b}) note_change(v);
   states_[a] = states_[b] = taken;
-  merge_planes(pair, survivor, removed, ranked, position);
+  if (attributes_.any() || is_special(pair)) merge_knowledge(pair, survivor, removed, ranked, position);
   mesh_.merge(pair, removed, position, star_.others());
   n_faces_ -= star_.opposites().size();
   max_cost_ = std::max(max_cost_, cost);
@@ -282,21 +287,23 @@ void Rounds::merge(const VertexPair& pair, const PairEvaluation& ranked, const V
 }
 
 /// What the merged vertex knows besides its faces.
-void Rounds::merge_planes(const VertexPair& pair, Index survivor, Index removed, const PairEvaluation& ranked,
-                          const Vec3& position) {
-  if (!is_special(pair)) return;
+void Rounds::merge_knowledge(const VertexPair& pair, Index survivor, Index removed, const PairEvaluation& ranked,
+                             const Vec3& position) {
   const auto [a, b] = pair;
+  Change change;
+  change.pair = {invalid_index, a, b};
+  change.survivor = survivor;
+  change.removed = removed;
+  change.before = {mesh_.point(a), mesh_.point(b)};
+  change.position = position;
+  if (attributes_.any()) attributes_.merge(change, true);
+  if (!is_special(pair)) return;
   const std::uint8_t flags = flags_[a] | flags_[b];
   if ((flags & irregular) != 0) {
-    remembered_.set(survivor, merged(placed(a), placed(b), position, ranked.is_minimum).quadric, flags_.size());
+    const bool has_no_slope = ranked.is_minimum && !attributes_.any();
+    remembered_.set(survivor, merged(placed(a), placed(b), position, has_no_slope).quadric, flags_.size());
     seams_.erase(survivor);
   } else if ((flags & on_seam) != 0) {
-    Change change;
-    change.pair = {invalid_index, a, b};
-    change.survivor = survivor;
-    change.removed = removed;
-    change.before = {mesh_.point(a), mesh_.point(b)};
-    change.position = position;
     seams_.merge(change);
   }
   if (flags_[survivor] == 0) special_.push_back(survivor);
@@ -324,6 +331,7 @@ CostState Rounds::state(std::span<const Index> vertices) const {
     if (const Quadric* const all = remembered_.find(v)) state.quadrics.push_back({i, *all});
     if (const Quadric* const seams = seams_.find(v)) state.seams.push_back({i, *seams});
   }
+  state.attributes = attributes_.at(vertices);
   return state;
 }
 

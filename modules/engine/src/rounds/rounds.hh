@@ -20,7 +20,7 @@ namespace whittle {
 /// Contracts pairs of a part of a surface in rounds, by memoryless quadrics (memoryless_term.hh):
 ///
 ///   sum up the planes of the faces at each vertex
-///   rank all pairs
+///   rank all pairs by these, and by attributes
 ///   take those that cost little in the order of cost, by its leading bits, and then of their numbers:
 ///     if one of the two was merged in this round: the pair waits for the next one
 ///     if the link condition refuses it: count that; the pair waits until the faces at one of the two change
@@ -118,8 +118,8 @@ class Rounds {
   }
   std::span<const Index> vanishing_faces(Index a);
   void merge(const VertexPair& pair, const PairEvaluation& ranked, const Vec3& position, double cost);
-  void merge_planes(const VertexPair& pair, Index survivor, Index removed, const PairEvaluation& ranked,
-                    const Vec3& position);
+  void merge_knowledge(const VertexPair& pair, Index survivor, Index removed, const PairEvaluation& ranked,
+                       const Vec3& position);
 
   const DecimateOptions& options_;
   QuadricOptions quadric_;
@@ -135,6 +135,7 @@ class Rounds {
   std::vector<std::uint8_t> flags_;  ///< per vertex
   SparseQuadrics remembered_;        ///< of vertices on borders
   SparseQuadrics seams_;
+  AttributeQuadrics attributes_;
   std::vector<Index> special_;  ///< vertices with flags that are left, but for frozen ones
   AreaCounts areas_;
   std::size_t n_inner_ = 0;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "cost/make_cost.hh"
 #include "rounds/rounds.hh"
@@ -66,6 +67,8 @@ Rounds::Rounds(WorkingSurface& surface, const StageContext& context, RoundScratc
   }
   look_at_vertices(context);
   take_over(surface.cost_state);
+  SurfaceAttributes& attributes = surface.cost_state.attributes;
+  if (attributes.wedges.any()) attributes_ = AttributeQuadrics(std::move(attributes), flags_.size());
 }
 
 void Rounds::look_at_vertices(const StageContext& context) {

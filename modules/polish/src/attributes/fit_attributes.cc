@@ -197,9 +197,11 @@ void AttributeFit::find_functions(const AttributeFunctions& functions, Values& v
   values.functions.resize(n * positions_.size());
   for_each_range(positions_.size(), threads_, [&](std::size_t begin, std::size_t end) {
     for (auto w = static_cast<Index>(begin); w < end; ++w) {
-      for (std::size_t i = 0; i < n && functions.any(w); ++i) {
+      if (!functions.any(w)) continue;
+      const std::vector<LocalFunction> around = functions.of(w);
+      for (std::size_t i = 0; i < n; ++i) {
         LocalFunction& function = values.functions[w * n + i];
-        function = functions.of(w, i);
+        function = around[i];
         if (!function.is_linear) function.slope.setZero();
       }
     }

@@ -82,43 +82,32 @@ std::vector<std::size_t> faces_at(const IndexedMesh& mesh, Index v) {
   return faces;
 }
 
-/// A mesh, its complex, and quadrics without a bound.
+/// A mesh and its quadrics.
 struct QuadricsOf {
   explicit QuadricsOf(const IndexedMesh& mesh, double farthest = 1e6)
-      : frame(Frame::of_points(mesh.positions)),
-        complex(mesh.positions, mesh.faces, frame, 1),
-        attributes(scaled_attributes(mesh, frame, {})) {
+      : frame(Frame::of_points(mesh.positions)), attributes(scaled_attributes(mesh, frame, {})) {
     attributes.farthest = farthest;
-    std::vector<Index> vertex_of(n_wedges(mesh));
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      for (std::size_t k = 0; k < 3; ++k) vertex_of[mesh.wedge(f, k)] = mesh.faces[f][k];
-    }
-    std::vector<Vec3> positions;
     for (const Vec3& p : mesh.positions) positions.push_back(frame.to_frame(p));
-    quadrics = {complex, sum_attributes(mesh, frame, attributes, iota(vertex_of.size()), vertex_of, positions, 1)};
-    number.resize(complex.n_vertex_slots());
-    for (Index v = 0; v < number.size(); ++v) number[complex.origin(v)] = v;
+    quadrics = {sum_attributes(mesh, frame, attributes, positions, 1), positions.size()};
   }
 
-  Pair pair(Index a, Index b) const { return {0, number[a], number[b]}; }
-  Vec3 position(Index v) const { return complex.position(number[v]); }
-  double error(Index a, Index b, const Vec3& x) const { return quadrics.of(pair(a, b), true).quadric(x - position(a)); }
+  PairAttributes of(Index a, Index b) const { return quadrics.of({0, a, b}, true, positions[b] - positions[a]); }
+  double error(Index a, Index b, const Vec3& x) const { return of(a, b).quadric(x - positions[a]); }
   void merge(Index a, Index b, const Vec3& x) {
     Change change{};
-    change.pair = pair(a, b);
-    change.survivor = number[a];
-    change.removed = number[b];
-    change.before = {position(a), position(b)};
+    change.pair = {0, a, b};
+    change.survivor = a;
+    change.removed = b;
+    change.before = {positions[a], positions[b]};
     change.position = x;
-    complex.set_position(number[a], x);
     quadrics.merge(change, true);
+    positions[a] = x;
   }
 
   Frame frame;
-  TriangleComplex complex;
   ScaledAttributes attributes;
+  std::vector<Vec3> positions;  ///< in the frame
   AttributeQuadrics quadrics;
-  std::vector<Index> number;  ///< vertices of the mesh → those of the complex
 };
 
 TEST(AttributeQuadrics, EqualTheVarianceOfTheFacesFunctionsWhileVerticesMerge) {
@@ -218,7 +207,7 @@ TEST(AttributeQuadrics, AreBoundedByTheAreaTheyCover) {
       area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
     }
   }
-  EXPECT_NEAR(setup.quadrics.of(setup.pair(24, 25), true).most, 1e-8 * area, 1e-7 * 1e-8 * area);
+  EXPECT_NEAR(setup.of(24, 25).most, 1e-8 * area, 1e-7 * 1e-8 * area);
 }
 
 /// Of the vertices of a flat square whose texture bends in one half, the share that lies there once most are gone.

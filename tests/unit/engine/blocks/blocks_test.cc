@@ -157,6 +157,39 @@ TEST(Blocks, TakeMeshesWithSeams) {
   }
 }
 
+TEST(Blocks, CarryAttributesOn) {
+  for (IndexedMesh mesh : {tiled_torus(60, 30, 3), textured_torus(60, 30)}) {
+    mesh.normals.clear();
+    const DecimateOptions options = memoryless(2);
+    const Frame frame = Frame::of_points(mesh.positions);
+    std::vector<Vec3> positions;
+    for (const Vec3& p : mesh.positions) positions.push_back(frame.to_frame(p));
+    WorkingSurface surface;
+    surface.positions = MaybeOwned<Vec3>::borrowed(mesh.positions);
+    surface.faces = MaybeOwned<Triangle>::borrowed(mesh.faces);
+    surface.frame = frame;
+    surface.cost_state.attributes =
+        sum_attributes(mesh, frame, scaled_attributes(mesh, frame, options.attribute_weights), positions, 2);
+    const auto weight = [&] {
+      const SurfaceAttributes& attributes = surface.cost_state.attributes;
+      double sum = 0;
+      for (Index w = 0; w < attributes.vertex_of.size(); ++w) sum += attributes.wedges.weight(w);
+      return sum;
+    };
+    const double before = weight();
+    const StageReport report = contract_in_blocks(surface, mesh, DecimateTarget::faces(mesh.faces.size() / 8),
+                                                  small_blocks, StageContext{options, frame});
+    ASSERT_EQ(report.result.why_in_one_pass, "");
+    EXPECT_LE(surface.faces.size(), mesh.faces.size() / 4);
+    EXPECT_NEAR(weight(), before, 1e-5 * before);  // each wedge has all faces of those merged into it
+    const std::vector<Index>& vertex_of = surface.cost_state.attributes.vertex_of;
+    EXPECT_TRUE(std::is_sorted(vertex_of.begin(), vertex_of.end()));
+    for (Index v = 0; v < surface.positions.size(); ++v) {
+      EXPECT_TRUE(std::binary_search(vertex_of.begin(), vertex_of.end(), v));
+    }
+  }
+}
+
 TEST(Blocks, HoldSeams) {
   const IndexedMesh mesh = disc_in_square(60);
   const auto area_error = [&](double weight) {
@@ -213,7 +246,7 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
   IndexedMesh colored = mesh;
   colored.colors.assign(mesh.positions.size(), Color{1, 1, 1, 1});
   EXPECT_EQ(why_not_in_blocks(colored, target, memoryless(), nullptr, small_blocks, false), "");
-  EXPECT_EQ(why_not_in_blocks(colored, target, memoryless(), nullptr, in_detail, false), "attributes count");
+  EXPECT_EQ(why_not_in_blocks(colored, target, memoryless(), nullptr, in_detail, false), "");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.order = Order::exact; }, target), "the order is exact");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.pairs.threshold = 0.01; }, target),
             "threshold pairs join what lies apart");

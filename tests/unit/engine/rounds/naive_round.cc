@@ -23,8 +23,14 @@ double distance_sq_to(const Corners& c, const Vec3& p) {
 
 class NaiveRound {
  public:
-  NaiveRound(const IndexedMesh& mesh, const MeanFaceArea& area, const RoundLimit& limit)
-      : positions_(mesh.positions), faces_(mesh.faces), area_(area), limit_(limit), is_merged_(positions_.size()) {}
+  NaiveRound(const IndexedMesh& mesh, const MeanFaceArea& area, const RoundLimit& limit,
+             BruteForceAttributes& attributes)
+      : positions_(mesh.positions),
+        faces_(mesh.faces),
+        area_(area),
+        limit_(limit),
+        attributes_(attributes),
+        is_merged_(positions_.size()) {}
 
   std::vector<NaiveContraction> run() {
     struct Candidate {
@@ -78,6 +84,17 @@ class NaiveRound {
     const PlacedQuadric a = placed(pair.a);
     const PlacedQuadric b = placed(pair.b);
     PairEvaluation result = evaluate_pair(a, b, Placement::optimal);
+    if (attributes_.any()) {
+      const auto [quadric, most] = attributes_.of(pair.a, pair.b, true, b.position - a.position);
+      PlacedQuadric all = a;
+      all.quadric += quadric;
+      const PairEvaluation with_attributes = evaluate_pair(all, b, Placement::optimal);
+      if (quadric(with_attributes.position - a.position) <= most) {
+        result = with_attributes;
+      } else {
+        result.cost += most;
+      }
+    }
     result.cost *= memoryless_factor(a.quadric.a.trace() + b.quadric.a.trace(), area_.first());
     return result;
   }
@@ -163,6 +180,7 @@ class NaiveRound {
       if (CostCounts::in_range(cost) > limit_.cost) return;
     }
     is_merged_[pair.a] = is_merged_[pair.b] = true;
+    if (attributes_.any()) attributes_.contract(pair.a, pair.b, pair.b, true, positions_, position);
     positions_[pair.b] = position;
     for (Triangle& face : faces_) std::replace(face.begin(), face.end(), pair.a, pair.b);
     made_.push_back({pair.b, pair.a, position});
@@ -172,14 +190,16 @@ class NaiveRound {
   std::vector<Triangle> faces_;
   MeanFaceArea area_;
   RoundLimit limit_;
+  BruteForceAttributes& attributes_;
   std::vector<bool> is_merged_;
   std::vector<NaiveContraction> made_;
 };
 
 }  // namespace
 
-std::vector<NaiveContraction> naive_round(const IndexedMesh& mesh, const MeanFaceArea& area, const RoundLimit& limit) {
-  return NaiveRound(mesh, area, limit).run();
+std::vector<NaiveContraction> naive_round(const IndexedMesh& mesh, const MeanFaceArea& area, const RoundLimit& limit,
+                                          BruteForceAttributes& attributes) {
+  return NaiveRound(mesh, area, limit, attributes).run();
 }
 
 }  // namespace whittle::test

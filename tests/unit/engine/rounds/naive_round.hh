@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "oracle/brute_force_attributes.hh"
 #include "rounds/cost_counts.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/engine/formula/memoryless_term.hh"
@@ -17,6 +18,8 @@ struct NaiveContraction {
 
 /// What a round contracts of a closed manifold mesh: the definition, step by step. All is computed from the faces as
 /// they are, each time.
-std::vector<NaiveContraction> naive_round(const IndexedMesh& mesh, const MeanFaceArea& area, const RoundLimit& limit);
+/// \param attributes of the mesh, or none; they become those of the result
+std::vector<NaiveContraction> naive_round(const IndexedMesh& mesh, const MeanFaceArea& area, const RoundLimit& limit,
+                                          BruteForceAttributes& attributes);
 
 }  // namespace whittle::test

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
+#include <random>
 #include <set>
 
 #include "support/shapes/shapes.hh"
@@ -40,12 +42,13 @@ MeanFaceArea mean_area(const IndexedMesh& mesh) {
 class InRounds {
  public:
   explicit InRounds(const IndexedMesh& mesh, std::vector<std::uint8_t> frozen = {},
-                    std::vector<std::uint8_t> locked = {})
+                    std::vector<std::uint8_t> locked = {}, SurfaceAttributes attributes = {})
       : mesh_(mesh), frozen_(std::move(frozen)), locked_(std::move(locked)), log_(mesh.positions.size()) {
     WorkingSurface surface;
     surface.positions = mesh.positions;
     surface.faces = mesh.faces;
     surface.cost_state.face_area = mean_area(mesh);
+    surface.cost_state.attributes = std::move(attributes);
     StageContext context{options_};
     context.frozen = frozen_;
     context.locked = locked_;
@@ -55,6 +58,17 @@ class InRounds {
 
   Rounds& rounds() { return *rounds_; }
   std::span<const Contraction> made() const { return {log_.data(), end_of_log_.end}; }
+  /// By vertices of the mesh.
+  SurfaceAttributes attributes() const {
+    const std::vector<Index> merged_into = rounds_->merged_into();
+    std::vector<Index> left;
+    for (Index v = 0; v < merged_into.size(); ++v) {
+      if (merged_into[v] == v) left.push_back(v);
+    }
+    SurfaceAttributes attributes = rounds_->state(left).attributes;
+    for (Index& v : attributes.vertex_of) v = left[v];
+    return attributes;
+  }
   IndexedMesh result() const {
     const std::vector<Index> merged_into = rounds_->merged_into();
     IndexedMesh left;
@@ -108,21 +122,46 @@ RoundLimit limit_of(const Rounds& rounds, std::uint64_t n_pairs, double slack) {
   return limits_of_parts({&counts, 1}, {n_pairs, slack}).front();
 }
 
+SurfaceAttributes attributes_of(const IndexedMesh& mesh) {
+  if (!looks_at_attributes(options_of_rounds(), mesh)) return {};
+  return sum_attributes(mesh, Frame{}, scaled_attributes(mesh, Frame{}, {}), mesh.positions, 1);
+}
+
+IndexedMesh colored(IndexedMesh mesh) {
+  for (const Vec3& p : mesh.positions) {
+    const auto wave = [&](double x) { return static_cast<float>(0.5 + 0.5 * std::sin(5 * x)); };
+    mesh.colors.push_back({wave(p.x()), wave(p.y()), wave(p.z()), 1});
+  }
+  return mesh;
+}
+
+IndexedMesh noisy_texture(IndexedMesh mesh) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> noise(-0.02, 0.02);
+  for (double& number : mesh.attributes.front().values) number += noise(random);
+  return mesh;
+}
+
 TEST(Rounds, ContractWhatTheDefinitionSays) {
   for (const auto& [name, mesh] :
-       {NamedMesh{"blob", blob(3, 7)}, NamedMesh{"noisy_sphere", noisy_sphere(3, 0.1, 3)},
+       {NamedMesh{"textured_torus", noisy_texture(textured_torus(24, 12))},
+        NamedMesh{"tiled_torus", noisy_texture(tiled_torus(24, 12, 6))}, NamedMesh{"colored", colored(blob(3, 2))},
+        NamedMesh{"blob", blob(3, 7)}, NamedMesh{"noisy_sphere", noisy_sphere(3, 0.1, 3)},
         NamedMesh{"noisy_torus", noisy_torus(24, 10, 1, 0.35, 0.05, 2)}, NamedMesh{"knot", knot(80, 6)},
         NamedMesh{"icosahedron", icosahedron()}, NamedMesh{"csaszar_torus", csaszar_torus()},
         NamedMesh{"needles", flattened(noisy_sphere(3, 0.1, 5), 0.01)}}) {
     for (const double slack : {1.0, 3.0, 1e9}) {
       SCOPED_TRACE(name + ", slack " + std::to_string(slack));
       IndexedMesh before = mesh;
+      SurfaceAttributes attributes = attributes_of(mesh);
+      BruteForceAttributes expected_attributes(mesh, Frame{}, mesh.positions, options_of_rounds());
       for (int round = 0; round < 6; ++round) {
-        InRounds in_rounds(before);
+        InRounds in_rounds(before, {}, {}, attributes);
         in_rounds.rounds().begin_round();
         const RoundLimit limit = limit_of(in_rounds.rounds(), before.positions.size() / 4, slack);
         in_rounds.rounds().contract(limit);
-        const std::vector<NaiveContraction> expected = naive_round(before, mean_area(before), limit);
+        const std::vector<NaiveContraction> expected =
+            naive_round(before, mean_area(before), limit, expected_attributes);
         ASSERT_EQ(in_rounds.made().size(), expected.size());
         for (std::size_t i = 0; i < expected.size(); ++i) {
           const Contraction& made = in_rounds.made()[i];
@@ -131,6 +170,7 @@ TEST(Rounds, ContractWhatTheDefinitionSays) {
           ASSERT_LT((made.position - expected[i].position).norm(), 1e-9) << "contraction " << i;
         }
         before = in_rounds.result();
+        attributes = in_rounds.attributes();
       }
       const bool needs_all_edges = name == "csaszar_torus";
       EXPECT_EQ(before.faces.size() < mesh.faces.size(), !needs_all_edges);
@@ -346,7 +386,9 @@ TEST(StarPlanes, AreThoseOfTheFaces) {
 }
 
 TEST(PairCosts, AreTheSameAmongOthersAsAlone) {
-  for (const IndexedMesh& mesh : {noisy_sphere(3, 0.1, 4), tessellated_cube(6), flattened(blob(3, 2), 1e-6)}) {
+  for (const IndexedMesh& mesh :
+       {noisy_sphere(3, 0.1, 4), tessellated_cube(6), flattened(blob(3, 2), 1e-6), colored(blob(3, 3)),
+        colored(flattened(blob(3, 2), 0)), noisy_texture(tiled_torus(24, 12, 6))}) {
     std::vector<LanePoint> points;
     for (const Vec3& p : mesh.positions) points.emplace_back(p);
     RoundScratch scratch;
@@ -363,6 +405,14 @@ TEST(PairCosts, AreTheSameAmongOthersAsAlone) {
     costs.rank(pairs, ranks);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       EXPECT_EQ(ranks[i], CostCounts::in_range(costs.of(pairs[i]).cost));
+    }
+    const AttributeQuadrics attributes(attributes_of(mesh), points.size());
+    if (!attributes.any()) continue;
+    costs.rank(pairs, attributes, ranks);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto [a, b] = pairs[i];
+      const PairAttributes of_pair = attributes.of({0, a, b}, true, mesh.positions[b] - mesh.positions[a]);
+      EXPECT_EQ(ranks[i], CostCounts::in_range(costs.of(pairs[i], of_pair).cost));
     }
   }
 }

@@ -28,8 +28,8 @@ class AttributeFunctions {
 
   /// Whether faces of the input lie around w. The other functions require it.
   bool any(Index w) const { return functions_.any(w); }
-  /// \param i below `n_linear(kind, n_components)`
-  LocalFunction of(Index w, std::size_t i) const;
+  /// Of the `n_linear(kind, n_components)` first components.
+  std::vector<LocalFunction> of(Index w) const;
   /// Moves a value to a position near a wedge, by its kind. Directions keep unit length, colours stay in [0, 1].
   /// Categories and the sign of a tangent don't change. Does nothing unless `any(w)`.
   /// \param position in the frame \param value in: blend of the values merged into w; out: value at `position`
@@ -44,8 +44,9 @@ class AttributeFunctions {
 
   double number(Index wedge, std::size_t i) const { return values_[wedge * n_components_ + i]; }
   std::vector<Index> find_charts() const;
-  void find_linear_charts(const std::vector<Index>& charts, unsigned threads);
-  Chart chart_of(const LocalFunctions& charts, Index chart, std::size_t i) const;
+  void find_linear_charts(std::vector<Index> charts, unsigned threads);
+  void drop_bent_charts(std::vector<Index>& charts, unsigned threads) const;
+  void find_chart(const LocalFunctions& charts, Index chart);
   void move_joint_weights(Index w, const Vec3& position, std::span<double> value) const;
 
   const LocalFunctions& functions_;

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/indexed_mesh.hh"
 
@@ -17,6 +17,7 @@ struct LocalFunction {
   double mean = 0;             ///< at the center
   Vec3 slope = Vec3::Zero();   ///< per unit of the frame
   double low = 0, high = 0;    ///< range of the values around
+  double residual = 0;         ///< mean square of what the best linear function leaves; `slope` may be less steep
   bool is_linear = false;      ///< whether the values around are linear, to a hundredth of their variation
   bool stays = false;          ///< whether also linear values are clamped to low and high
 
@@ -48,33 +49,37 @@ class LocalFunctions {
   std::size_t n_wedges() const { return places_.size(); }
 
   /// Whether faces of the input lie around w. The other functions require it.
-  bool any(Index w) const { return !faces_of_.of(w).empty(); }
-  /// Calls visit(wedge of the input, position in the frame) for each corner of the faces around w.
+  bool any(Index w) const { return places_[w].n_faces > 0; }
+  /// Calls visit(wedge of the input, position in the frame) for each wedge that the faces around w have.
   template <class Visit>
   void for_each_corner(Index w, const Visit& visit) const {
-    for (const Index f : faces_of_.of(w)) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        visit(input_.wedge(f, k), frame_.to_frame(input_.positions[input_.faces[f][k]]));
-      }
-    }
+    for (const Corner& corner : places_[w].corners) visit(corner.wedge, position_of(corner));
   }
-  /// The function around wedge w. \param value maps a wedge of the input to its number
+  /// The functions of n components around wedge w. \param value maps a wedge of the input and a component to a number
   template <class Value>
-  LocalFunction around(Index w, const Value& value) const {
-    Sums sums(value(input_.wedge(faces_of_.of(w).front(), 0)));
-    for (const Index f : faces_of_.of(w)) {
-      const double weight = areas_[f] / 3;
-      for (std::size_t k = 0; k < 3; ++k) {
-        sums.add(weight, frame_.to_frame(input_.positions[input_.faces[f][k]]) - places_[w].center,
-                 value(input_.wedge(f, k)));
-      }
+  std::vector<LocalFunction> around(Index w, std::size_t n, const Value& value) const {
+    const Place& place = places_[w];
+    std::vector<Sums> sums;
+    for (std::size_t i = 0; i < n; ++i) sums.emplace_back(value(place.corners.front().wedge, i));
+    for (const Corner& corner : place.corners) {
+      const Vec3 from_center = position_of(corner) - place.center;
+      for (std::size_t i = 0; i < n; ++i) sums[i].add(corner.weight, from_center, value(corner.wedge, i));
     }
-    return function_of(w, sums);
+    std::vector<LocalFunction> functions;
+    for (const Sums& sum : sums) functions.push_back(function_of(place, sum));
+    return functions;
   }
 
  private:
+  /// A wedge of the input, at corners of the faces around a wedge.
+  struct Corner {
+    Index wedge, vertex;
+    double weight;  ///< a third of the area of these faces
+  };
   /// The points around a wedge.
   struct Place {
+    std::size_t n_faces = 0;
+    std::vector<Corner> corners;
     Vec3 center = Vec3::Zero();
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< main axes, in columns
     Vec3 variance = Vec3::Zero();                        ///< along the axes; 0 if within rounding error
@@ -86,16 +91,25 @@ class LocalFunctions {
     Vec3 moment = Vec3::Zero();
 
     explicit Sums(double number) : first(number) {}
-    void add(double w, const Vec3& from_center, double number);
+    void add(double w, const Vec3& from_center, double number) {
+      const double apart = w * (number - first);
+      weight += w;
+      value += apart;
+      square += apart * (number - first);
+      moment += apart * from_center;
+      low = std::min(low, number);
+      high = std::max(high, number);
+    }
   };
-  Place place_of(Index w) const;
-  LocalFunction function_of(Index w, const Sums& sums) const;
+  std::vector<Corner> corners_of_faces(std::span<const Index> faces, std::span<const double> areas,
+                                       std::span<Index> places_of) const;
+  void find_axes(Place& place) const;
+  static LocalFunction function_of(const Place& place, const Sums& sums);
+  Vec3 position_of(const Corner& corner) const { return frame_.to_frame(input_.positions[corner.vertex]); }
 
   const IndexedMesh& input_;
   Frame frame_;
   std::span<const Index> wedge_map_;
-  std::vector<double> areas_;  ///< of the input's faces; none is zero
-  detail::IndexLists<Index> faces_of_;
   std::vector<Place> places_;
 };
 

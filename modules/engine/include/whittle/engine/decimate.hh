@@ -127,8 +127,8 @@ struct Decimation {
 Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options = {});
 
 /// Whether `decimate` makes most contractions in blocks, on all threads: so it does with memoryless quadrics on meshes
-/// of 20,000 faces and more, or of 140,000 if attributes count or contractions are told, unless something needs one
-/// pass over the whole (docs/dev/blocks.md).
+/// of 20,000 faces and more, or of 140,000 if contractions are told, unless something needs one pass over the whole
+/// (docs/dev/blocks.md).
 bool goes_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options);
 
 /// Fewer faces on the input's own vertices.

@@ -11,19 +11,29 @@ constexpr std::size_t most_matched = 64;
 
 }  // namespace
 
-AttributeQuadrics::AttributeQuadrics(const TriangleComplex& complex, SurfaceAttributes attributes)
-    : complex_(&complex),
-      wedges_(std::move(attributes.wedges)),
+PairEvaluation evaluate_with_attributes(const PlacedQuadric& v0, const PlacedQuadric& v1,
+                                        const PairAttributes& attributes, Placement placement,
+                                        PairConstraint constraint) {
+  PlacedQuadric all = v0;
+  all.quadric += attributes.quadric;
+  PairEvaluation evaluation = evaluate_pair(all, v1, placement, constraint);
+  if (!(attributes.quadric(evaluation.position - v0.position) <= attributes.most)) {
+    evaluation = evaluate_pair(v0, v1, placement, constraint);
+    evaluation.cost += attributes.most;
+  }
+  return evaluation;
+}
+
+AttributeQuadrics::AttributeQuadrics(SurfaceAttributes attributes, std::size_t n_vertices)
+    : wedges_(std::move(attributes.wedges)),
       farthest_(attributes.farthest),
-      first_(complex.n_vertex_slots(), invalid_index),
+      first_(n_vertices, invalid_index),
       next_(attributes.vertex_of.size()) {
-  std::vector<Index> first_of(complex.n_vertex_slots(), invalid_index);  // by vertex of the surface
   for (auto w = static_cast<Index>(next_.size()); w-- > 0;) {
-    Index& first = first_of[attributes.vertex_of[w]];
+    Index& first = first_[attributes.vertex_of[w]];
     next_[w] = first;
     first = w;
   }
-  for (Index v = 0; v < first_.size(); ++v) first_[v] = first_of[complex.origin(v)];
 }
 
 /// The wedge at the vertex `many`, of those not used, that `wedge`, which is at the other end, should join.
@@ -80,10 +90,15 @@ void AttributeQuadrics::match(const Pair& pair, bool is_edge, const Vec3& a_to_b
   }
 }
 
-PairAttributes AttributeQuadrics::of(const Pair& pair, bool is_edge) const {
-  const Vec3 a_to_b = complex_->position(pair.b) - complex_->position(pair.a);
+PairAttributes AttributeQuadrics::of(const Pair& pair, bool is_edge, const Vec3& a_to_b) const {
   PairAttributes sum;
-  sum.never_falls = is_edge && has_one(pair.a) && has_one(pair.b);
+  if (is_edge && has_one(pair.a) && has_one(pair.b)) {
+    const Index a = first_[pair.a];
+    const Index b = first_[pair.b];
+    return {wedges_.quadric_of_both(a, b, a_to_b), farthest_ * farthest_ * (wedges_.weight(a) + wedges_.weight(b)),
+            true};
+  }
+  sum.never_falls = false;
   const auto joined = [&](Index at_a, Index at_b) {
     sum.quadric += wedges_.quadric_of_both(at_a, at_b, a_to_b);
     sum.most += farthest_ * farthest_ * (wedges_.weight(at_a) + wedges_.weight(at_b));

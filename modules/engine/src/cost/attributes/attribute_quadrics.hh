@@ -4,8 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "complex/triangle_complex.hh"
+#include "complex/contraction_profile.hh"
 #include "cost/attributes/surface_attributes.hh"
+#include "whittle/engine/formula/pair_evaluation.hh"
 
 namespace whittle {
 
@@ -18,18 +19,24 @@ struct PairAttributes {
   bool never_falls = true;
 };
 
-/// The attributes of a complex's vertices, a quadric for each wedge.
+/// The cost and placement of contracting two vertices with attributes, which move the merged one, too, unless they
+/// would cost more than they may.
+PairEvaluation evaluate_with_attributes(const PlacedQuadric& v0, const PlacedQuadric& v1,
+                                        const PairAttributes& attributes, Placement placement,
+                                        PairConstraint constraint);
+
+/// The attributes of vertices, a quadric for each wedge.
 class AttributeQuadrics {
  public:
   /// None.
   AttributeQuadrics() = default;
-  AttributeQuadrics(const TriangleComplex& complex, SurfaceAttributes attributes);
+  AttributeQuadrics(SurfaceAttributes attributes, std::size_t n_vertices);
 
   bool any() const { return wedges_.any(); }
 
   /// Each wedge of the end that has fewer joins that of the other end to which its values are nearest in the middle of
-  /// the pair. Wedges of threshold pairs stay apart.
-  PairAttributes of(const Pair& pair, bool is_edge) const;
+  /// the pair. Wedges of threshold pairs stay apart. \param a_to_b the way between both
+  PairAttributes of(const Pair& pair, bool is_edge, const Vec3& a_to_b) const;
   /// What `of` looks at, where there is no seam.
   void prefetch(const Pair& pair) const {
     for (const Index v : {pair.a, pair.b}) {
@@ -54,7 +61,6 @@ class AttributeQuadrics {
   std::size_t n_wedges_at(Index v) const;
   bool has_one(Index v) const { return first_[v] != invalid_index && next_[first_[v]] == invalid_index; }
 
-  const TriangleComplex* complex_ = nullptr;
   WedgeQuadrics wedges_;
   double farthest_ = 0;
   std::vector<Index> first_;                     ///< of the wedges at each vertex

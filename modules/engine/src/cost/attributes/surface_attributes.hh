@@ -12,14 +12,15 @@ namespace whittle {
 /// at most `farthest`² times its weight, and the slopes of its functions are cut.
 struct SurfaceAttributes {
   WedgeQuadrics wedges;          ///< each about its vertex
-  std::vector<Index> vertex_of;  ///< of each wedge
+  std::vector<Index> vertex_of;  ///< of each wedge; ascending
   double farthest = 0;           ///< in the frame
+
+  /// Those of some vertices, which get their places as numbers. \param vertices ascending
+  SurfaceAttributes at(std::span<const Index> vertices) const;
 };
 
-/// The faces of the input, each in the wedges that it has now. \param wedge_of the input's wedges → the surface's, or
-/// `invalid_index` \param vertex_of of the surface's wedges \param positions of the surface's vertices, in the frame
+/// Sums over the faces of the input, for each wedge that has some. \param positions of the input, in the frame
 SurfaceAttributes sum_attributes(const IndexedMesh& input, const Frame& frame, const ScaledAttributes& attributes,
-                                 std::span<const Index> wedge_of, std::vector<Index> vertex_of,
                                  std::span<const Vec3> positions, unsigned threads);
 
 }  // namespace whittle

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
+#include <type_traits>
 
 #include "whittle/core/detail/lanes.hh"
 
@@ -18,28 +18,39 @@ constexpr std::size_t functions_at = 12;
 constexpr std::size_t functions_length = 16;
 
 /// No slope is longer. A texture of even scale has a slope of its weight.
-constexpr float steepest = 4;
+constexpr double steepest = 4;
 
-/// Of four components.
+/// Of four components. \tparam Real Float4, or Double4 for sums
+template <class Real>
 struct Functions {
-  Float4 x, y, z, value;
+  Real x{}, y{}, z{}, value{};
 
   WHITTLE_INLINE static Functions at(const float* from) {
-    return {load_lanes<Float4>(from), load_lanes<Float4>(from + 4), load_lanes<Float4>(from + 8),
-            load_lanes<Float4>(from + 12)};
+    return {load_lanes<Real>(from), load_lanes<Real>(from + 4), load_lanes<Real>(from + 8),
+            load_lanes<Real>(from + 12)};
   }
   WHITTLE_INLINE void store(float* to) const {
     store_lanes(x, to), store_lanes(y, to + 4), store_lanes(z, to + 8), store_lanes(value, to + 12);
   }
-  WHITTLE_INLINE Functions about(const PointLanes<Float4>& t) const { return {x, y, z, value_at(t)}; }
-  WHITTLE_INLINE Float4 value_at(const PointLanes<Float4>& t) const { return value + (x * t.x + y * t.y + z * t.z); }
+  WHITTLE_INLINE Functions about(const PointLanes<Real>& t) const { return {x, y, z, value_at(t)}; }
+  WHITTLE_INLINE Real value_at(const PointLanes<Real>& t) const { return value + (x * t.x + y * t.y + z * t.z); }
+  template <class Number>
+  WHITTLE_INLINE Functions times(Number factor) const {
+    return {factor * x, factor * y, factor * z, factor * value};
+  }
   WHITTLE_INLINE friend Functions operator-(const Functions& a, const Functions& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z, a.value - b.value};
   }
+  WHITTLE_INLINE Functions& operator+=(const Functions& o) {
+    x += o.x, y += o.y, z += o.z, value += o.value;
+    return *this;
+  }
 };
 
-PointLanes<Float4> in_all_lanes(const Vec3& p) {
-  const auto lanes = [](double number) { return Float4{} + static_cast<float>(number); };
+template <class Real>
+WHITTLE_INLINE PointLanes<Real> in_all_lanes(const Vec3& p) {
+  using Number = std::decay_t<decltype(Real{}[0])>;
+  const auto lanes = [](double number) WHITTLE_INLINE_LAMBDA { return Real{} + static_cast<Number>(number); };
   return {lanes(p.x()), lanes(p.y()), lanes(p.z())};
 }
 
@@ -50,14 +61,21 @@ WHITTLE_INLINE Float4 sums_of(const Float4& a, const Float4& b, const Float4& c,
   return shuffled<0, 1, 4, 5>(ab, cd) + shuffled<2, 3, 6, 7>(ab, cd);
 }
 
-float sum_of(const Float4& lanes) { return (lanes[0] + lanes[2]) + (lanes[1] + lanes[3]); }
+template <class Real>
+WHITTLE_INLINE auto sum_of(const Real& lanes) {
+  return (lanes[0] + lanes[2]) + (lanes[1] + lanes[3]);
+}
 
 /// Σ f², as the ten numbers of a quadric.
+template <class Real>
 class SquareSum {
  public:
-  WHITTLE_INLINE void add(const Functions& f) {
-    xx_ += f.x * f.x, xy_ += f.x * f.y, xz_ += f.x * f.z, yy_ += f.y * f.y, yz_ += f.y * f.z, zz_ += f.z * f.z;
-    x_ += f.x * f.value, y_ += f.y * f.value, z_ += f.z * f.value, constant_ += f.value * f.value;
+  WHITTLE_INLINE void add(const Functions<Real>& f) { add(f, f); }
+  /// w f², from f and w f.
+  WHITTLE_INLINE void add(const Functions<Real>& f, const Functions<Real>& weighted) {
+    const auto& [x, y, z, value] = weighted;
+    xx_ += x * f.x, xy_ += x * f.y, xz_ += x * f.z, yy_ += y * f.y, yz_ += y * f.z, zz_ += z * f.z;
+    x_ += x * f.value, y_ += y * f.value, z_ += z * f.value, constant_ += value * f.value;
   }
   /// Times a factor. The last two numbers are of no meaning.
   WHITTLE_INLINE std::array<float, 12> times(float factor) const {
@@ -67,9 +85,14 @@ class SquareSum {
     store_lanes(factor * sums_of(z_, constant_, z_, constant_), numbers.data() + 8);
     return numbers;
   }
+  WHITTLE_INLINE Quadric quadric() const {
+    return {{sum_of(xx_), sum_of(xy_), sum_of(xz_), sum_of(yy_), sum_of(yz_), sum_of(zz_)},
+            {sum_of(x_), sum_of(y_), sum_of(z_)},
+            sum_of(constant_)};
+  }
 
  private:
-  Float4 xx_{}, xy_{}, xz_{}, yy_{}, yz_{}, zz_{}, x_{}, y_{}, z_{}, constant_{};
+  Real xx_{}, xy_{}, xz_{}, yy_{}, yz_{}, zz_{}, x_{}, y_{}, z_{}, constant_{};
 };
 
 Quadric quadric_of(const float* q) { return {{q[0], q[1], q[2], q[3], q[4], q[5]}, {q[6], q[7], q[8]}, q[9]}; }
@@ -86,18 +109,18 @@ float reduced_weight(float first, float second) {
   return both > 0 ? first * (second / both) : 0;
 }
 
-/// Of two wedges, or of a wedge and a face, with one origin.
+/// \pre both have one origin
 void join_numbers(float* into, const float* other, std::size_t n_groups) {
   const float both = into[weight_at] + other[weight_at];
   if (!(both > 0)) return;
   const float share = other[weight_at] / both;
-  SquareSum squares;
+  SquareSum<Float4> squares;
   for (std::size_t i = functions_at; i < functions_at + n_groups * functions_length; i += functions_length) {
-    const Functions mean = Functions::at(into + i);
-    const Functions apart = Functions::at(other + i) - mean;
+    const auto mean = Functions<Float4>::at(into + i);
+    const Functions<Float4> apart = Functions<Float4>::at(other + i) - mean;
     squares.add(apart);
-    Functions{mean.x + share * apart.x, mean.y + share * apart.y, mean.z + share * apart.z,
-              mean.value + share * apart.value}
+    Functions<Float4>{mean.x + share * apart.x, mean.y + share * apart.y, mean.z + share * apart.z,
+                      mean.value + share * apart.value}
         .store(into + i);
   }
   const std::array<float, 12> between = squares.times(into[weight_at] * share);
@@ -110,25 +133,34 @@ Float4 rounded(const Double4& lanes) {
                 static_cast<float>(lanes[3])};
 }
 
-/// Through values at the corners of a face. Functions that are too steep keep the value in the middle.
-WHITTLE_INLINE Functions functions_of(const FaceGradient& face, const Vec3& from_center, const Double4& first,
-                                      const Double4& second, const Double4& third) {
-  const Float4 u = rounded(second - first);
-  const Float4 v = rounded(third - first);
-  const PointLanes<Float4> dual_u = in_all_lanes(face.dual_u);
-  const PointLanes<Float4> dual_v = in_all_lanes(face.dual_v);
-  Functions functions{u * dual_u.x + v * dual_v.x, u * dual_u.y + v * dual_v.y, u * dual_u.z + v * dual_v.z,
-                      rounded((first + second + third) * (1.0 / 3))};
-  auto& [x, y, z, value] = functions;
-  const Float4 square = x * x + y * y + z * z;
-  const auto is_too_steep = square > steepest * steepest;
-  if (any_lane(is_too_steep)) {
-    Float4 factor{};
-    for (std::size_t j = 0; j < 4; ++j) factor[j] = is_too_steep[j] != 0 ? steepest / std::sqrt(square[j]) : 1;
+/// Of four components, in double precision.
+struct Slopes {
+  Double4 x, y, z;
+
+  /// Through values at the corners of a face, less where too steep.
+  WHITTLE_INLINE static Slopes of(const WedgeFace& face, std::size_t group) {
+    const Double4 u = row(face, 1, group) - row(face, 0, group);
+    const Double4 v = row(face, 2, group) - row(face, 0, group);
+    const Vec3& dual_u = face.gradient.dual_u;
+    const Vec3& dual_v = face.gradient.dual_v;
+    Slopes slopes{u * dual_u.x() + v * dual_v.x(), u * dual_u.y() + v * dual_v.y(), u * dual_u.z() + v * dual_v.z()};
+    slopes.cut();
+    return slopes;
+  }
+  WHITTLE_INLINE static Double4 row(const WedgeFace& face, std::size_t corner, std::size_t group) {
+    return load_lanes<Double4>(face.values[corner] + 4 * group);
+  }
+
+ private:
+  WHITTLE_INLINE void cut() {
+    Double4 length = x * x + y * y + z * z;
+    const auto is_too_steep = length > steepest * steepest;
+    if (!any_lane(is_too_steep)) return;
+    take_square_roots(length);
+    const Double4 factor = select_lanes(is_too_steep, steepest / length, Double4{} + 1.0);
     x *= factor, y *= factor, z *= factor;
   }
-  return functions.about(in_all_lanes(from_center));
-}
+};
 
 }  // namespace
 
@@ -153,10 +185,10 @@ Quadric WedgeQuadrics::quadric(Index w) const { return quadric_of(of(w) + spread
 Quadric WedgeQuadrics::quadric_of_both(Index a, Index b, const Vec3& a_to_b) const {
   const float* const first = of(a);
   const float* const second = of(b);
-  const PointLanes<Float4> b_to_a = in_all_lanes(-a_to_b);
-  SquareSum squares;
+  const PointLanes<Float4> b_to_a = in_all_lanes<Float4>(-a_to_b);
+  SquareSum<Float4> squares;
   for (std::size_t i = functions_at; i < stride_; i += functions_length) {
-    squares.add(Functions::at(first + i) - Functions::at(second + i).about(b_to_a));
+    squares.add(Functions<Float4>::at(first + i) - Functions<Float4>::at(second + i).about(b_to_a));
   }
   const std::array<float, 12> between = squares.times(reduced_weight(first[weight_at], second[weight_at]));
   Quadric both = quadric(b).about(-a_to_b);
@@ -168,42 +200,81 @@ Quadric WedgeQuadrics::quadric_of_both(Index a, Index b, const Vec3& a_to_b) con
 double WedgeQuadrics::error_between(Index a, Index b, const Vec3& from_a, const Vec3& from_b) const {
   const float* const first = of(a);
   const float* const second = of(b);
-  const PointLanes<Float4> at_a = in_all_lanes(from_a);
-  const PointLanes<Float4> at_b = in_all_lanes(from_b);
+  const PointLanes<Float4> at_a = in_all_lanes<Float4>(from_a);
+  const PointLanes<Float4> at_b = in_all_lanes<Float4>(from_b);
   Float4 squares{};
   for (std::size_t i = functions_at; i < stride_; i += functions_length) {
-    const Float4 apart = Functions::at(first + i).value_at(at_a) - Functions::at(second + i).value_at(at_b);
+    const Float4 apart =
+        Functions<Float4>::at(first + i).value_at(at_a) - Functions<Float4>::at(second + i).value_at(at_b);
     squares += apart * apart;
   }
   return reduced_weight(first[weight_at], second[weight_at]) * sum_of(squares);
 }
 
-void WedgeQuadrics::add_face(Index w, double weight, const FaceGradient& face, const Vec3& from_center,
-                             const std::array<const double*, 3>& values) {
-  thread_local std::vector<float> numbers;
-  numbers.resize(stride_);
-  std::fill_n(numbers.begin(), functions_at, 0.0F);
-  numbers[weight_at] = static_cast<float>(weight);
-  for (std::size_t i = 0; i < n_groups_; ++i) {
-    const auto row = [&](std::size_t k) { return load_lanes<Double4>(values[k] + 4 * i); };
-    functions_of(face, from_center, row(0), row(1), row(2)).store(numbers.data() + functions_at + i * functions_length);
+/// E as Σ_t w_t f_tj² − W m_j², with the f_tj less the value at the origin: without cut slopes they are 0 there, so
+/// nothing large cancels.
+struct WedgeQuadrics::FaceSum {
+  std::span<const WedgeFace> faces;
+  const double* values;
+
+  WHITTLE_INLINE void store(float* numbers, std::size_t n_groups) const {
+    double weight = 0;
+    for (const WedgeFace& face : faces) weight += face.gradient.area;
+    if (!(weight > 0)) return;
+    SquareSum<Double4> squares;
+    for (std::size_t group = 0; group < n_groups; ++group) {
+      const Double4 origin = load_lanes<Double4>(values + 4 * group);
+      Functions<Double4> sum{};
+      for (const WedgeFace& face : faces) {
+        const double area = face.gradient.area;
+        const auto [x, y, z] = Slopes::of(face, group);
+        const Double4 center = (Slopes::row(face, 0, group) - origin) + (Slopes::row(face, 1, group) - origin) +
+                               (Slopes::row(face, 2, group) - origin);
+        const auto function =
+            Functions<Double4>{x, y, z, center * (1.0 / 3)}.about(in_all_lanes<Double4>(face.from_center));
+        const Functions<Double4> weighted = function.times(area);
+        squares.add(function, weighted);
+        sum += weighted;
+      }
+      const Functions<Double4> mean = sum.times(1 / weight);
+      squares.add(mean, mean.times(-weight));
+      Functions<Float4>{rounded(mean.x), rounded(mean.y), rounded(mean.z), rounded(origin + mean.value)}.store(
+          numbers + functions_at + group * functions_length);
+    }
+    numbers[weight_at] = static_cast<float>(weight);
+    whittle::store(squares.quadric(), numbers + spread_at);
   }
-  join_numbers(of(w), numbers.data(), n_groups_);
+  WHITTLE_AVX2 void store_in_wide_registers(float* numbers, std::size_t n_groups) const { store(numbers, n_groups); }
+};
+
+void WedgeQuadrics::set(Index w, std::span<const WedgeFace> faces, const double* values) {
+  const FaceSum sum{faces, values};
+  has_double4 ? sum.store_in_wide_registers(of(w), n_groups_) : sum.store(of(w), n_groups_);
 }
 
 void WedgeQuadrics::move_origin(Index w, const Vec3& by) {
   float* const numbers = of(w);
-  const PointLanes<Float4> lanes = in_all_lanes(by);
+  const PointLanes<Float4> lanes = in_all_lanes<Float4>(by);
   for (std::size_t i = functions_at; i < stride_; i += functions_length) {
-    store_lanes(Functions::at(numbers + i).value_at(lanes), numbers + i + 12);
+    store_lanes(Functions<Float4>::at(numbers + i).value_at(lanes), numbers + i + 12);
   }
   store(quadric(w).about(by), numbers + spread_at);
 }
 
-WedgeQuadrics WedgeQuadrics::gathered(std::span<const Index> wedges) const {
+WedgeQuadrics WedgeQuadrics::of_same_kind(std::size_t n_wedges) const {
   WedgeQuadrics some;
   some.n_groups_ = n_groups_;
   some.stride_ = stride_;
+  some.numbers_.resize(n_wedges * stride_);
+  return some;
+}
+
+void WedgeQuadrics::copy(Index to, const WedgeQuadrics& from_table, Index from) {
+  std::copy_n(from_table.of(from), stride_, of(to));
+}
+
+WedgeQuadrics WedgeQuadrics::gathered(std::span<const Index> wedges) const {
+  WedgeQuadrics some = of_same_kind(0);
   some.numbers_.reserve(wedges.size() * stride_);
   for (const Index w : wedges) some.numbers_.insert(some.numbers_.end(), of(w), of(w) + stride_);
   return some;

@@ -36,6 +36,13 @@ struct FaceGradient {
   Vec3 dual_u, dual_v;  ///< what the slope gains by each unit that the second, the third corner has more than the first
 };
 
+/// A face of the input in a wedge.
+struct WedgeFace {
+  FaceGradient gradient;
+  Vec3 from_center;                     ///< from the middle of the face to the origin of the wedge
+  std::array<const double*, 3> values;  ///< at each corner, a row as those of `ScaledAttributes`
+};
+
 /// The quadrics of many wedges, each about an origin of its own.
 class WedgeQuadrics {
  public:
@@ -56,17 +63,20 @@ class WedgeQuadrics {
   /// What both as one cost at a position more than both alone. \param from_a the position, from the origin of a
   double error_between(Index a, Index b, const Vec3& from_a, const Vec3& from_b) const;
 
-  /// \param weight its area, or more \param from_center from the middle of the face to the origin of w
-  /// \param values at each corner, a row as those of `ScaledAttributes`
-  void add_face(Index w, double weight, const FaceGradient& face, const Vec3& from_center,
-                const std::array<const double*, 3>& values);
+  /// Sums up the faces of a wedge. \param values at its origin, a row as those of `ScaledAttributes`
+  void set(Index w, std::span<const WedgeFace> faces, const double* values);
   void move_origin(Index w, const Vec3& by);
+  /// A table of so many wedges, without faces, that have as many components.
+  WedgeQuadrics of_same_kind(std::size_t n_wedges) const;
+  /// \pre both tables have as many components
+  void copy(Index to, const WedgeQuadrics& from_table, Index from);
   /// A table of some of them.
   WedgeQuadrics gathered(std::span<const Index> wedges) const;
   /// \pre both have one origin
   void join(Index into, Index other);
 
  private:
+  struct FaceSum;
   float* of(Index w) { return numbers_.data() + w * stride_; }
   const float* of(Index w) const { return numbers_.data() + w * stride_; }
 

@@ -10,7 +10,11 @@ namespace whittle {
 
 void QuadricCost::start(CostState&& before, unsigned /*threads*/) {
   quadrics_.start(before);
-  if (before.attributes.wedges.any()) attributes_ = AttributeQuadrics(complex_, std::move(before.attributes));
+  SurfaceAttributes& attributes = before.attributes;
+  if (!attributes.wedges.any()) return;
+  const std::vector<Index> vertices = complex_.vertices_by_origin();
+  for (Index& v : attributes.vertex_of) v = vertices[v];
+  attributes_ = AttributeQuadrics(std::move(attributes), vertices.size());
 }
 
 CostState QuadricCost::state(std::span<const Index> vertices) const {
@@ -70,19 +74,13 @@ PairEvaluation QuadricCost::rank_planes_of(const Pair& pair) const {
   return in_unit(evaluate_pair(first, second, options_.placement, constraint), first, second);
 }
 
-/// Attributes move the vertex, too, unless they would cost more than they may.
 PairEvaluation QuadricCost::rank_with_attributes(const Pair& pair, double bound_of_planes) const {
   const PlacedQuadric first = placed(pair, pair.a, complex_.position(pair.a));
   const PlacedQuadric second = placed(pair, pair.b, complex_.position(pair.b));
   const PairConstraint constraint = constraints_.of(pair).value_or(PairConstraint::first);
-  const PairAttributes attributes = attributes_.of(pair, !complex_.is_threshold_pair(pair.id));
-  PlacedQuadric all = first;
-  all.quadric += attributes.quadric;
-  PairEvaluation evaluation = evaluate_pair(all, second, options_.placement, constraint);
-  if (!(attributes.quadric(evaluation.position - first.position) <= attributes.most)) {
-    evaluation = evaluate_pair(first, second, options_.placement, constraint);
-    evaluation.cost += attributes.most;
-  }
+  const PairAttributes attributes =
+      attributes_.of(pair, !complex_.is_threshold_pair(pair.id), second.position - first.position);
+  PairEvaluation evaluation = evaluate_with_attributes(first, second, attributes, options_.placement, constraint);
   if (first_area_) return in_unit(evaluation, first, second);
   if (!attributes.never_falls) evaluation.bound = bound_of_planes;
   return evaluation;
