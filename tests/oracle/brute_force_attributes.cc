@@ -7,7 +7,7 @@ namespace whittle::test {
 BruteForceAttributes::BruteForceAttributes(const IndexedMesh& mesh, const Frame& frame, std::span<const Vec3> positions,
                                            const DecimateOptions& options) {
   if (!looks_at_attributes(options, mesh)) return;
-  const ScaledAttributes attributes = scaled_attributes(mesh, frame, options.attribute_weights);
+  const ScaledAttributes attributes = scaled_attributes(mesh, frame, options.attribute_weights, 1);
   if (attributes.n_components == 0) return;
   surface_ = sum_attributes(mesh, frame, attributes, positions, 1);
   wedges_of_.resize(positions.size());

@@ -1,5 +1,7 @@
 #include "whittle/core/attribute_functions.hh"
 
+#include <Eigen/Core>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -119,7 +121,7 @@ std::vector<Index> AttributeFunctions::find_charts() const {
 
 /// \param charts as of `find_charts`
 void AttributeFunctions::find_linear_charts(std::vector<Index> charts, unsigned threads) {
-  drop_bent_charts(charts, threads);
+  drop_bent_charts(charts);
   const auto [of_wedges, n_charts] = numbered(charts);
   if (n_charts == 0) return;
   const LocalFunctions of_charts(functions_.input(), functions_.frame(), of_wedges, n_charts, threads);
@@ -150,41 +152,51 @@ void AttributeFunctions::find_chart(const LocalFunctions& charts, Index chart) {
   }
 }
 
-/// Most charts are not linear, and a few of their faces tell: if a function was `most_apart` from none of the chart's
-/// numbers, the best one for these faces would leave no more than that.
-void AttributeFunctions::drop_bent_charts(std::vector<Index>& charts, unsigned threads) const {
-  constexpr std::size_t n_sampled = 64;  // wedges of a chart
+/// Most charts are not linear, and a few of their points tell: if a function was `most_apart` from none of the chart's
+/// numbers, the best one for these points would leave no more than that.
+void AttributeFunctions::drop_bent_charts(std::vector<Index>& charts) const {
+  constexpr std::size_t n_sampled = 64;  // about so many wedges of a chart
   const auto [of_wedges, n_charts] = numbered(charts);
   std::vector<std::size_t> n_points(n_charts);
   std::vector<Range> ranges(n_charts * n_linear_);
   for (Index w = 0; w < of_wedges.size(); ++w) {
-    if (of_wedges[w] == invalid_index) continue;
-    ++n_points[of_wedges[w]];
-    for (std::size_t i = 0; i < n_linear_; ++i) ranges[of_wedges[w] * n_linear_ + i].add(number(w, i));
+    const Index chart = of_wedges[w];
+    if (chart == invalid_index) continue;
+    ++n_points[chart];
+    for (std::size_t i = 0; i < n_linear_; ++i) ranges[chart * n_linear_ + i].add(number(w, i));
   }
-  std::vector<Index> sampled(of_wedges.size(), invalid_index);
+  const std::vector<Index> vertices = vertices_of_wedges(functions_.input());
+  const auto vertex_of = [&](Index w) { return vertices.empty() ? w : vertices[w]; };
+  std::vector<std::vector<Index>> samples(n_charts);
   std::vector<std::size_t> places(n_charts);
   for (Index w = 0; w < of_wedges.size(); ++w) {
     const Index chart = of_wedges[w];
-    if (chart != invalid_index && places[chart]++ % (n_points[chart] / n_sampled + 1) == 0) sampled[w] = chart;
+    const bool is_used = chart != invalid_index && vertex_of(w) != invalid_index;
+    if (is_used && places[chart]++ % (n_points[chart] / n_sampled + 1) == 0) samples[chart].push_back(w);
   }
-  const LocalFunctions samples(functions_.input(), functions_.frame(), sampled, n_charts, threads);
-  const auto may_be_linear = [&](Index chart) {
-    if (!samples.any(chart)) return true;
-    const std::vector<LocalFunction> functions =
-        samples.around(chart, n_linear_, [&](Index wedge, std::size_t i) { return number(wedge, i); });
+  const auto is_bent = [&](Index chart) {
+    const std::vector<Index>& sample = samples[chart];
+    const auto n = static_cast<Eigen::Index>(sample.size());
+    Eigen::MatrixX4d points(n, 4);
+    Eigen::MatrixXd numbers(n, static_cast<Eigen::Index>(n_linear_));
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const Index w = sample[static_cast<std::size_t>(k)];
+      points.row(k) << functions_.frame().to_frame(functions_.input().positions[vertex_of(w)]).transpose(), 1;
+      for (std::size_t i = 0; i < n_linear_; ++i) numbers(k, static_cast<Eigen::Index>(i)) = number(w, i);
+    }
+    const Eigen::MatrixXd left = points * points.colPivHouseholderQr().solve(numbers) - numbers;
     for (std::size_t i = 0; i < n_linear_; ++i) {
       const Range& range = ranges[chart * n_linear_ + i];
       if (!(range.high > range.low)) continue;                        // local functions are constant, too
       const double most = 2 * most_apart * (range.high - range.low);  // with a margin for rounding
-      if (!(functions[i].residual > most * most)) return true;
+      if (!(left.col(static_cast<Eigen::Index>(i)).squaredNorm() > static_cast<double>(n) * most * most)) return false;
     }
-    return false;
+    return true;
   };
-  std::vector<std::uint8_t> is_bent(n_charts);
-  for (Index chart = 0; chart < n_charts; ++chart) is_bent[chart] = may_be_linear(chart) ? 0 : 1;
+  std::vector<std::uint8_t> bent(n_charts);
+  for (Index chart = 0; chart < n_charts; ++chart) bent[chart] = is_bent(chart) ? 1 : 0;
   for (Index w = 0; w < charts.size(); ++w) {
-    if (of_wedges[w] != invalid_index && is_bent[of_wedges[w]] != 0) charts[w] = invalid_index;
+    if (of_wedges[w] != invalid_index && bent[of_wedges[w]] != 0) charts[w] = invalid_index;
   }
 }
 

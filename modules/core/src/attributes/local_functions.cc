@@ -131,7 +131,6 @@ LocalFunction LocalFunctions::function_of(const Place& place, const Sums& sums) 
     explained[i] = moment * slopes[i];
   }
   const double left = std::max(0.0, variance - (explained[0] + explained[1] + explained[2]));
-  function.residual = left;
   const double noise = left / static_cast<double>(place.n_faces);
   for (int i = 0; i < 3; ++i) {
     if (explained[i] > 0) function.slope += slopes[i] * (explained[i] / (explained[i] + noise)) * place.axes.col(i);

@@ -117,7 +117,7 @@ void StagedRun::sum_attributes_of_input() {
   WorkingSurface& surface = state_.surface;
   const bool is_known = surface.cost_state.attributes.wedges.any();
   if (!surface.is_input() || is_known || host_ || !looks_at_attributes(options_, mesh_)) return;
-  const ScaledAttributes attributes = scaled_attributes(mesh_, frame_, options_.attribute_weights);
+  const ScaledAttributes attributes = scaled_attributes(mesh_, frame_, options_.attribute_weights, options_.threads);
   if (attributes.n_components == 0) return;
   std::vector<Vec3> positions(surface.positions.begin(), surface.positions.end());
   for (Vec3& p : positions) p = surface.frame.to_frame(p);

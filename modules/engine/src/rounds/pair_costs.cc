@@ -54,27 +54,15 @@ struct PairCosts::Kernels {
     rank(pairs, ranks);
   }
 
-  /// Up to four pairs with attributes.
+  /// Up to four simple pairs, and where their costs are written.
   struct Four {
     std::array<VertexPair, n_lanes<Double4>> pairs;
-    std::array<PairAttributes, n_lanes<Double4>> attributes;
-    std::array<std::array<double, 12>, n_lanes<Double4>> numbers;  ///< the attributes, as lanes load them
     std::array<float*, n_lanes<Double4>> ranks;
     std::size_t n = 0;
-
-    void add(const VertexPair& pair, const PairAttributes& of_pair, float& rank) {
-      const auto& [q, most, never_falls] = of_pair;
-      pairs[n] = pair;
-      attributes[n] = of_pair;
-      numbers[n] = {q.a.xx, q.a.xy, q.a.xz, q.a.yy, q.a.yz, q.a.zz, q.b.x(), q.b.y(), q.b.z(), q.c, most, 0};
-      ranks[n++] = &rank;
-    }
-    WHITTLE_INLINE FourLanes<Double4> numbers_at(std::size_t i) const {
-      return transposed_lanes<Double4>([&](std::size_t lane) WHITTLE_INLINE_LAMBDA { return &numbers[lane][i]; });
-    }
   };
 
-  WHITTLE_INLINE void rank(Four& four) const {
+  WHITTLE_INLINE void rank(Four& four, const AttributeQuadrics& attributes) const {
+    for (std::size_t lane = four.n; lane < four.pairs.size(); ++lane) four.pairs[lane] = four.pairs[0];
     const VertexPair* const pairs = four.pairs.data();
     const auto first = [pairs](std::size_t lane) WHITTLE_INLINE_LAMBDA { return pairs[lane].a; };
     const auto second = [pairs](std::size_t lane) WHITTLE_INLINE_LAMBDA { return pairs[lane].b; };
@@ -82,22 +70,21 @@ struct PairCosts::Kernels {
     const SymmetricLanes<Double4> b = matrices(second);
     const PointLanes<Double4> from = lane_points(costs.points_.data(), first);
     const PointLanes<Double4> to = lane_points(costs.points_.data(), second);
-    const auto [xx, xy, xz, yy] = four.numbers_at(0);
-    const auto [yz, zz, bx, by] = four.numbers_at(4);
-    const auto [bz, c, most, unused] = four.numbers_at(8);
+    const auto [q, most] = attributes.of_four(pairs, to - from);
     const Double4 zero{};
-    const PairMinimum<Double4> minimum = pair_minimum<Double4>(
-        {from.x, from.y, from.z, a.xx + xx, a.xy + xy, a.xz + xz, a.yy + yy, a.yz + yz, a.zz + zz, bx, by, bz, c},
-        {to.x, to.y, to.z, b.xx, b.xy, b.xz, b.yy, b.yz, b.zz, zero, zero, zero, zero});
+    const PairMinimum<Double4> minimum =
+        pair_minimum<Double4>({from.x, from.y, from.z, a.xx + q.xx, a.xy + q.xy, a.xz + q.xz, a.yy + q.yy, a.yz + q.yz,
+                               a.zz + q.zz, q.bx, q.by, q.bz, q.c},
+                              {to.x, to.y, to.z, b.xx, b.xy, b.xz, b.yy, b.yz, b.zz, zero, zero, zero, zero});
     const PointLanes<Double4> x = PointLanes<Double4>{minimum.x, minimum.y, minimum.z} - from;
-    const PointLanes<Double4> slope{bx + bx + (xx * x.x + xy * x.y + xz * x.z),
-                                    by + by + (xy * x.x + yy * x.y + yz * x.z),
-                                    bz + bz + (xz * x.x + yz * x.y + zz * x.z)};
-    const LaneMask<Double4> holds = minimum.is_near & (c + x.dot(slope) <= most);
+    const PointLanes<Double4> slope{q.bx + q.bx + (q.xx * x.x + q.xy * x.y + q.xz * x.z),
+                                    q.by + q.by + (q.xy * x.x + q.yy * x.y + q.yz * x.z),
+                                    q.bz + q.bz + (q.xz * x.x + q.yz * x.y + q.zz * x.z)};
+    const LaneMask<Double4> holds = minimum.is_near & (q.c + x.dot(slope) <= most);
     const Double4 weight = (a.xx + a.yy + a.zz) + (b.xx + b.yy + b.zz);
     const Double4 values = minimum.value * memoryless_factor(weight, costs.first_area_);
     for (std::size_t lane = 0; lane < four.n; ++lane) {
-      const double cost = holds[lane] != 0 ? values[lane] : costs.of(pairs[lane], four.attributes[lane]).cost;
+      const double cost = holds[lane] != 0 ? values[lane] : costs.of(pairs[lane], attributes).cost;
       *four.ranks[lane] = CostCounts::in_range(cost);
     }
     four.n = 0;
@@ -106,12 +93,15 @@ struct PairCosts::Kernels {
   WHITTLE_INLINE void rank(std::span<const VertexPair> pairs, const AttributeQuadrics& attributes, float* ranks) const {
     Four four{};
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const auto [a, b] = pairs[i];
-      const Vec3 a_to_b = Vec3(costs.points_[b]) - Vec3(costs.points_[a]);
-      four.add(pairs[i], attributes.of({invalid_index, a, b}, true, a_to_b), ranks[i]);
-      if (four.n == four.pairs.size()) rank(four);
+      if (!attributes.is_simple(pairs[i])) {
+        ranks[i] = CostCounts::in_range(costs.of(pairs[i], attributes).cost);
+        continue;
+      }
+      four.pairs[four.n] = pairs[i];
+      four.ranks[four.n++] = &ranks[i];
+      if (four.n == four.pairs.size()) rank(four, attributes);
     }
-    if (four.n > 0) rank(four);
+    if (four.n > 0) rank(four, attributes);
   }
   WHITTLE_AVX2 void rank_in_wide_registers(std::span<const VertexPair> pairs, const AttributeQuadrics& attributes,
                                            float* ranks) const {
@@ -145,17 +135,18 @@ PairEvaluation PairCosts::of(const VertexPair& pair) const {
   return {cost, cost, {minimum.x, minimum.y, minimum.z}, true};
 }
 
-PairEvaluation PairCosts::of(const VertexPair& pair, const PairAttributes& attributes) const {
-  return of(placed(pair.a), placed(pair.b), attributes, PairConstraint::none);
+PairEvaluation PairCosts::of(const VertexPair& pair, const AttributeQuadrics& attributes) const {
+  return of(pair, placed(pair.a), placed(pair.b), attributes);
 }
 
 PairEvaluation PairCosts::of(const PlacedQuadric& first, const PlacedQuadric& second, PairConstraint constraint) const {
   return in_unit(evaluate_pair(first, second, Placement::optimal, constraint), first, second);
 }
 
-PairEvaluation PairCosts::of(const PlacedQuadric& first, const PlacedQuadric& second, const PairAttributes& attributes,
-                             PairConstraint constraint) const {
-  return in_unit(evaluate_with_attributes(first, second, attributes, Placement::optimal, constraint), first, second);
+PairEvaluation PairCosts::of(const VertexPair& pair, const PlacedQuadric& first, const PlacedQuadric& second,
+                             const AttributeQuadrics& attributes, PairConstraint constraint) const {
+  const PairAttributes of_pair = attributes.of({invalid_index, pair.a, pair.b}, true, second.position - first.position);
+  return in_unit(evaluate_with_attributes(first, second, of_pair, Placement::optimal, constraint), first, second);
 }
 
 PairEvaluation PairCosts::in_unit(PairEvaluation evaluation, const PlacedQuadric& first,

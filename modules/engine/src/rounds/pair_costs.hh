@@ -26,9 +26,9 @@ class PairCosts {
   PairEvaluation of(const PlacedQuadric& first, const PlacedQuadric& second,
                     PairConstraint constraint = PairConstraint::none) const;
   // With attributes.
-  PairEvaluation of(const VertexPair& pair, const PairAttributes& attributes) const;
-  PairEvaluation of(const PlacedQuadric& first, const PlacedQuadric& second, const PairAttributes& attributes,
-                    PairConstraint constraint) const;
+  PairEvaluation of(const VertexPair& pair, const AttributeQuadrics& attributes) const;
+  PairEvaluation of(const VertexPair& pair, const PlacedQuadric& first, const PlacedQuadric& second,
+                    const AttributeQuadrics& attributes, PairConstraint constraint = PairConstraint::none) const;
 
  private:
   struct Kernels;

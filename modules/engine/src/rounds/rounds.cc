@@ -235,10 +235,8 @@ PairEvaluation Rounds::rank(const VertexPair& pair) const {
                                                           : PairConstraint::none;
   const PlacedQuadric first = placed(pair.a);
   const PlacedQuadric second = placed(pair.b);
-  if (!attributes_.any()) return pair_costs_.of(first, second, constraint);
-  const PairAttributes attributes =
-      attributes_.of({invalid_index, pair.a, pair.b}, true, second.position - first.position);
-  return pair_costs_.of(first, second, attributes, constraint);
+  return attributes_.any() ? pair_costs_.of(pair, first, second, attributes_, constraint)
+                           : pair_costs_.of(first, second, constraint);
 }
 
 std::optional<Refusal> Rounds::refusal_at(const Vec3& position) {

@@ -85,7 +85,7 @@ std::vector<std::size_t> faces_at(const IndexedMesh& mesh, Index v) {
 /// A mesh and its quadrics.
 struct QuadricsOf {
   explicit QuadricsOf(const IndexedMesh& mesh, double farthest = 1e6)
-      : frame(Frame::of_points(mesh.positions)), attributes(scaled_attributes(mesh, frame, {})) {
+      : frame(Frame::of_points(mesh.positions)), attributes(scaled_attributes(mesh, frame, {}, 1)) {
     attributes.farthest = farthest;
     for (const Vec3& p : mesh.positions) positions.push_back(frame.to_frame(p));
     quadrics = {sum_attributes(mesh, frame, attributes, positions, 1), positions.size()};
@@ -236,7 +236,7 @@ TEST(AttributeWeights, PutVerticesWhereATextureBends) {
 /// What the first number of a mesh' attributes counts as, in model units.
 double first_length(const IndexedMesh& mesh) {
   const Frame frame = Frame::of_points(mesh.positions);
-  return scaled_attributes(mesh, frame, {}).values.at(0) / frame.scale;
+  return scaled_attributes(mesh, frame, {}, 1).values.at(0) / frame.scale;
 }
 
 TEST(AttributeWeights, DontDependOnPartsThatLieFarOff) {

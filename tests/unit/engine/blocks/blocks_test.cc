@@ -169,7 +169,7 @@ TEST(Blocks, CarryAttributesOn) {
     surface.faces = MaybeOwned<Triangle>::borrowed(mesh.faces);
     surface.frame = frame;
     surface.cost_state.attributes =
-        sum_attributes(mesh, frame, scaled_attributes(mesh, frame, options.attribute_weights), positions, 2);
+        sum_attributes(mesh, frame, scaled_attributes(mesh, frame, options.attribute_weights, 2), positions, 2);
     const auto weight = [&] {
       const SurfaceAttributes& attributes = surface.cost_state.attributes;
       double sum = 0;

@@ -45,7 +45,7 @@ class AttributeFunctions {
   double number(Index wedge, std::size_t i) const { return values_[wedge * n_components_ + i]; }
   std::vector<Index> find_charts() const;
   void find_linear_charts(std::vector<Index> charts, unsigned threads);
-  void drop_bent_charts(std::vector<Index>& charts, unsigned threads) const;
+  void drop_bent_charts(std::vector<Index>& charts) const;
   void find_chart(const LocalFunctions& charts, Index chart);
   void move_joint_weights(Index w, const Vec3& position, std::span<double> value) const;
 

@@ -17,7 +17,6 @@ struct LocalFunction {
   double mean = 0;             ///< at the center
   Vec3 slope = Vec3::Zero();   ///< per unit of the frame
   double low = 0, high = 0;    ///< range of the values around
-  double residual = 0;         ///< mean square of what the best linear function leaves; `slope` may be less steep
   bool is_linear = false;      ///< whether the values around are linear, to a hundredth of their variation
   bool stays = false;          ///< whether also linear values are clamped to low and high
 

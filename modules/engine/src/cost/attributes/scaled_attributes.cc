@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
 
 #include "cost/attributes/scaled_attributes.hh"
+#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/image_triangle.hh"
 #include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/wedges.hh"
@@ -25,59 +29,78 @@ double double_area_in_texture(const IndexedMesh& mesh, const Attribute& texcoord
   return std::abs(detail::area_on_image(at(0), at(1), at(2)));
 }
 
+/// Σ number(face), the same on any number of threads.
+template <class Number>
+double sum_over_faces(const IndexedMesh& mesh, unsigned threads, const Number& number) {
+  const std::size_t n = mesh.faces.size();
+  std::vector<double> sums((n + range_length - 1) / range_length);
+  for_each_range(n, threads, [&](std::size_t begin, std::size_t end) {
+    double& sum = sums[begin / range_length];
+    for (std::size_t f = begin; f < end; ++f) sum += number(f);
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
 /// The length that others are shares of: of a square as large as the surface. Parts that lie far off make the box
 /// around a mesh large, but not this.
-double length_of_surface(const IndexedMesh& mesh, const Frame& frame) {
-  double area = 0;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) area += area_of(corners_in_frame(mesh, frame, f));
-  return std::sqrt(area);
+double length_of_surface(const IndexedMesh& mesh, const Frame& frame, unsigned threads) {
+  return std::sqrt(
+      sum_over_faces(mesh, threads, [&](std::size_t f) { return area_of(corners_in_frame(mesh, frame, f)); }));
 }
 
 /// How long a texture's unit is on the surface, in the frame: the root of the ratio of areas. 0 without a texture.
-double length_of_texture(const IndexedMesh& mesh, const Frame& frame, const Attribute& texcoord) {
+double length_of_texture(const IndexedMesh& mesh, const Frame& frame, const Attribute& texcoord, unsigned threads) {
   if (texcoord.n_components < 2) return 0;
-  double surface = 0;
-  double texture = 0;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+  const auto area_in_texture = [&](std::size_t f) {
     const double area = 0.5 * double_area_in_texture(mesh, texcoord, f);
-    if (!(area > 0) || !std::isfinite(area)) continue;
-    texture += area;
-    surface += area_of(corners_in_frame(mesh, frame, f));
-  }
+    return std::isfinite(area) ? area : 0;
+  };
+  const double texture = sum_over_faces(mesh, threads, area_in_texture);
+  const double surface = sum_over_faces(mesh, threads, [&](std::size_t f) {
+    return area_in_texture(f) > 0 ? area_of(corners_in_frame(mesh, frame, f)) : 0;
+  });
   return texture > 0 ? std::sqrt(surface / texture) : 0;
 }
 
-/// Appends components to a table that is filled by columns.
+/// The columns of the table, some for each attribute.
 class Columns {
  public:
-  explicit Columns(std::size_t n_wedges) : n_wedges_(n_wedges) {}
+  using Value = std::function<double(Index wedge, std::size_t component)>;
 
-  /// \param value (wedge, component) → number
-  template <class Value>
-  void add(std::size_t n, double length, const Value& value) {
+  void add(std::size_t n, double length, Value value) {
     if (!(length > 0) || !std::isfinite(length)) return;
-    for (std::size_t i = 0; i < n; ++i) {
-      std::vector<double>& column = columns_.emplace_back(n_wedges_);
-      for (Index w = 0; w < n_wedges_; ++w) {
-        const double number = length * value(w, i);
-        column[w] = std::isfinite(number) ? number : 0;
-      }
-    }
+    all_.push_back({n, length, std::move(value)});
+    n_components_ += n;
   }
 
-  ScaledAttributes rows(double farthest) const {
-    ScaledAttributes attributes{columns_.size(), {}, farthest};
+  ScaledAttributes rows(std::size_t n_wedges, double farthest, unsigned threads) const {
+    ScaledAttributes attributes{n_components_, {}, farthest};
     const std::size_t stride = attributes.stride();
-    attributes.values.resize(stride * n_wedges_);
-    for (std::size_t j = 0; j < columns_.size(); ++j) {
-      for (std::size_t w = 0; w < n_wedges_; ++w) attributes.values[w * stride + j] = columns_[j][w];
-    }
+    attributes.values.resize(stride * n_wedges);
+    for_each_range(n_wedges, threads, [&](std::size_t begin, std::size_t end) {
+      for (auto w = static_cast<Index>(begin); w < end; ++w) fill(w, attributes.values.data() + w * stride);
+    });
     return attributes;
   }
 
  private:
-  std::size_t n_wedges_;
-  std::vector<std::vector<double>> columns_;
+  struct Some {
+    std::size_t n;
+    double length;
+    Value value;
+  };
+
+  void fill(Index w, double* row) const {
+    for (const auto& [n, length, value] : all_) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const double number = length * value(w, i);
+        *row++ = std::isfinite(number) ? number : 0;
+      }
+    }
+  }
+
+  std::vector<Some> all_;
+  std::size_t n_components_ = 0;
 };
 
 /// Where the vertices of each joint lie in the mean. A blend of these points, by the weights of a wedge, stands for
@@ -129,12 +152,13 @@ std::vector<Vec3> positions_of_wedges(const IndexedMesh& mesh, const Frame& fram
 }
 
 void add_attribute(const IndexedMesh& mesh, const Frame& frame, double size, const AttributeWeights& weights,
-                   const Attribute& attribute, Columns& columns) {
-  const auto value = [&](Index w, std::size_t i) { return attribute.value(w)[i]; };
+                   const Attribute& attribute, unsigned threads, Columns& columns) {
+  const auto value = [&attribute](Index w, std::size_t i) { return attribute.value(w)[i]; };
   switch (attribute.kind) {
     case AttributeKind::texcoord:
       if (weights.texcoord > 0) {
-        columns.add(attribute.n_components, weights.texcoord * length_of_texture(mesh, frame, attribute), value);
+        const double length = length_of_texture(mesh, frame, attribute, threads);
+        columns.add(attribute.n_components, weights.texcoord * length, value);
       }
       break;
     case AttributeKind::normal:
@@ -148,9 +172,10 @@ void add_attribute(const IndexedMesh& mesh, const Frame& frame, double size, con
       break;
     case AttributeKind::joint_weights:
       if (weights.joint_weights > 0) {
-        const JointCenters centers(attribute, positions_of_wedges(mesh, frame));
         columns.add(3, weights.joint_weights,
-                    [&](Index w, std::size_t i) { return centers.blend(w)[static_cast<Eigen::Index>(i)]; });
+                    [centers = JointCenters(attribute, positions_of_wedges(mesh, frame))](Index w, std::size_t i) {
+                      return centers.blend(w)[static_cast<Eigen::Index>(i)];
+                    });
       }
       break;
     case AttributeKind::tangent:
@@ -169,20 +194,22 @@ bool looks_at_attributes(const DecimateOptions& options, const IndexedMesh& mesh
   return !mesh.normals.empty() || !mesh.colors.empty() || !mesh.attributes.empty();
 }
 
-ScaledAttributes scaled_attributes(const IndexedMesh& input, const Frame& frame, const AttributeWeights& weights) {
-  const double size = length_of_surface(input, frame);
-  Columns columns(n_wedges(input));
+ScaledAttributes scaled_attributes(const IndexedMesh& input, const Frame& frame, const AttributeWeights& weights,
+                                   unsigned threads) {
+  const double size = length_of_surface(input, frame, threads);
+  Columns columns;
   if (!input.normals.empty()) {
     columns.add(3, weights.normal * length_of_radian * size,
-                [&](Index w, std::size_t i) { return input.normals[w][i]; });
+                [&input](Index w, std::size_t i) { return input.normals[w][i]; });
   }
   if (!input.colors.empty()) {
-    columns.add(3, weights.color * length_of_color * size, [&](Index w, std::size_t i) { return input.colors[w][i]; });
+    columns.add(3, weights.color * length_of_color * size,
+                [&input](Index w, std::size_t i) { return input.colors[w][i]; });
   }
   for (const Attribute& attribute : input.attributes) {
-    add_attribute(input, frame, size, weights, attribute, columns);
+    add_attribute(input, frame, size, weights, attribute, threads, columns);
   }
-  return columns.rows(most_error * size);
+  return columns.rows(n_wedges(input), most_error * size, threads);
 }
 
 }  // namespace whittle

@@ -23,6 +23,7 @@ struct ScaledAttributes {
 bool looks_at_attributes(const DecimateOptions& options, const IndexedMesh& mesh);
 
 /// None if no attribute counts. \param weights of `DecimateOptions`
-ScaledAttributes scaled_attributes(const IndexedMesh& input, const Frame& frame, const AttributeWeights& weights);
+ScaledAttributes scaled_attributes(const IndexedMesh& input, const Frame& frame, const AttributeWeights& weights,
+                                   unsigned threads);
 
 }  // namespace whittle

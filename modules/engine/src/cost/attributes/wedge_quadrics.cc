@@ -5,17 +5,15 @@
 #include <cmath>
 #include <type_traits>
 
-#include "whittle/core/detail/lanes.hh"
+#include "cost/attributes/wedge_pairs.hh"
 
 namespace whittle {
 namespace {
 
-/// How the numbers of a wedge lie: the weight; the quadric, ten numbers; then for each four components the slopes along
-/// x, along y, along z, and the values at the origin.
-constexpr std::size_t weight_at = 0;
-constexpr std::size_t spread_at = 1;
-constexpr std::size_t functions_at = 12;
-constexpr std::size_t functions_length = 16;
+constexpr std::size_t weight_at = WedgeLayout::weight;
+constexpr std::size_t spread_at = WedgeLayout::spread;
+constexpr std::size_t functions_at = WedgeLayout::functions;
+constexpr std::size_t functions_length = WedgeLayout::functions_length;
 
 /// No slope is longer. A texture of even scale has a slope of its weight.
 constexpr double steepest = 4;
@@ -103,12 +101,6 @@ void store(const Quadric& q, float* to) {
   for (std::size_t i = 0; i < numbers.size(); ++i) to[i] = static_cast<float>(numbers[i]);
 }
 
-/// W₁ W₂ / W
-float reduced_weight(float first, float second) {
-  const float both = first + second;
-  return both > 0 ? first * (second / both) : 0;
-}
-
 /// \pre both have one origin
 void join_numbers(float* into, const float* other, std::size_t n_groups) {
   const float both = into[weight_at] + other[weight_at];
@@ -126,11 +118,6 @@ void join_numbers(float* into, const float* other, std::size_t n_groups) {
   const std::array<float, 12> between = squares.times(into[weight_at] * share);
   for (std::size_t i = 0; i < 10; ++i) into[spread_at + i] += other[spread_at + i] + between[i];
   into[weight_at] = both;
-}
-
-Float4 rounded(const Double4& lanes) {
-  return Float4{static_cast<float>(lanes[0]), static_cast<float>(lanes[1]), static_cast<float>(lanes[2]),
-                static_cast<float>(lanes[3])};
 }
 
 /// Of four components, in double precision.
@@ -176,25 +163,17 @@ FaceGradient::FaceGradient(const std::array<Vec3, 3>& corners) : center((corners
 }
 
 WedgeQuadrics::WedgeQuadrics(std::size_t n_wedges, std::size_t n_components)
-    : n_groups_((n_components + 3) / 4),
-      stride_(functions_at + n_groups_ * functions_length),
+    : n_components_(n_components),
+      stride_(functions_at + n_groups() * functions_length),
       numbers_(n_wedges * stride_, 0.0F) {}
 
 Quadric WedgeQuadrics::quadric(Index w) const { return quadric_of(of(w) + spread_at); }
 
 Quadric WedgeQuadrics::quadric_of_both(Index a, Index b, const Vec3& a_to_b) const {
-  const float* const first = of(a);
-  const float* const second = of(b);
-  const PointLanes<Float4> b_to_a = in_all_lanes<Float4>(-a_to_b);
-  SquareSum<Float4> squares;
-  for (std::size_t i = functions_at; i < stride_; i += functions_length) {
-    squares.add(Functions<Float4>::at(first + i) - Functions<Float4>::at(second + i).about(b_to_a));
-  }
-  const std::array<float, 12> between = squares.times(reduced_weight(first[weight_at], second[weight_at]));
-  Quadric both = quadric(b).about(-a_to_b);
-  both += quadric(a);
-  both += quadric_of(between.data());
-  return both;
+  const auto number = [&](int i) { return static_cast<float>(-a_to_b[i]); };
+  const PointLanes<float> b_to_a{number(0), number(1), number(2)};
+  const auto q = whittle::quadric_of_both<float>(OneWedge{of(a)}, OneWedge{of(b)}, n_components_, b_to_a);
+  return {{q.xx, q.xy, q.xz, q.yy, q.yz, q.zz}, {q.bx, q.by, q.bz}, q.c};
 }
 
 double WedgeQuadrics::error_between(Index a, Index b, const Vec3& from_a, const Vec3& from_b) const {
@@ -208,7 +187,7 @@ double WedgeQuadrics::error_between(Index a, Index b, const Vec3& from_a, const 
         Functions<Float4>::at(first + i).value_at(at_a) - Functions<Float4>::at(second + i).value_at(at_b);
     squares += apart * apart;
   }
-  return reduced_weight(first[weight_at], second[weight_at]) * sum_of(squares);
+  return reduced_weight<float>(first[weight_at], second[weight_at]) * sum_of(squares);
 }
 
 /// E as Σ_t w_t f_tj² − W m_j², with the f_tj less the value at the origin: without cut slopes they are 0 there, so
@@ -249,7 +228,7 @@ struct WedgeQuadrics::FaceSum {
 
 void WedgeQuadrics::set(Index w, std::span<const WedgeFace> faces, const double* values) {
   const FaceSum sum{faces, values};
-  has_double4 ? sum.store_in_wide_registers(of(w), n_groups_) : sum.store(of(w), n_groups_);
+  has_double4 ? sum.store_in_wide_registers(of(w), n_groups()) : sum.store(of(w), n_groups());
 }
 
 void WedgeQuadrics::move_origin(Index w, const Vec3& by) {
@@ -263,7 +242,7 @@ void WedgeQuadrics::move_origin(Index w, const Vec3& by) {
 
 WedgeQuadrics WedgeQuadrics::of_same_kind(std::size_t n_wedges) const {
   WedgeQuadrics some;
-  some.n_groups_ = n_groups_;
+  some.n_components_ = n_components_;
   some.stride_ = stride_;
   some.numbers_.resize(n_wedges * stride_);
   return some;
@@ -280,6 +259,6 @@ WedgeQuadrics WedgeQuadrics::gathered(std::span<const Index> wedges) const {
   return some;
 }
 
-void WedgeQuadrics::join(Index into, Index other) { join_numbers(of(into), of(other), n_groups_); }
+void WedgeQuadrics::join(Index into, Index other) { join_numbers(of(into), of(other), n_groups()); }
 
 }  // namespace whittle

@@ -55,7 +55,10 @@ class WedgeQuadrics {
   void prefetch(Index w) const {
     for (std::size_t i = 0; i < stride_; i += 16) prefetch_line(of(w) + i);
   }
+  std::size_t n_components() const { return n_components_; }
   double weight(Index w) const { return of(w)[0]; }
+  /// As `WedgeLayout` has them.
+  const float* numbers(Index w) const { return of(w); }
   Quadric quadric(Index w) const;
 
   /// Of both wedges as one, about the origin of the first. \param a_to_b from one origin to the other
@@ -80,7 +83,9 @@ class WedgeQuadrics {
   float* of(Index w) { return numbers_.data() + w * stride_; }
   const float* of(Index w) const { return numbers_.data() + w * stride_; }
 
-  std::size_t n_groups_ = 0;  ///< of four components
+  std::size_t n_groups() const { return (n_components_ + 3) / 4; }  ///< of four components
+
+  std::size_t n_components_ = 0;
   std::size_t stride_ = 0;
   LargeArray<float> numbers_;
 };

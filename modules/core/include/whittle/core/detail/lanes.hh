@@ -55,6 +55,13 @@ WHITTLE_INLINE Real select_lanes(const LaneMask<Real>& condition, const Real& ye
   return condition ? yes : no;
 }
 
+/// Each number in double precision, and each rounded to single precision.
+WHITTLE_INLINE Double4 widened(const Float4& lanes) { return Double4{lanes[0], lanes[1], lanes[2], lanes[3]}; }
+WHITTLE_INLINE Float4 rounded(const Double4& lanes) {
+  return Float4{static_cast<float>(lanes[0]), static_cast<float>(lanes[1]), static_cast<float>(lanes[2]),
+                static_cast<float>(lanes[3])};
+}
+
 /// The numbers at `from`, which may be unaligned.
 template <class Vector, class Number>
 WHITTLE_INLINE Vector load_lanes(const Number* from) {
@@ -83,7 +90,7 @@ struct FourLanes {
 /// Four lanes of four as a matrix, its rows for its columns.
 template <class Real>
 WHITTLE_INLINE FourLanes<Real> transposed(const FourLanes<Real>& rows) {
-  static_assert(n_lanes<Real> == 4);
+  static_assert(sizeof(Real) == 4 * sizeof(Real{}[0]));
   const Real even01 = shuffled<0, 4, 2, 6>(rows.first, rows.second);
   const Real odd01 = shuffled<1, 5, 3, 7>(rows.first, rows.second);
   const Real even23 = shuffled<0, 4, 2, 6>(rows.third, rows.fourth);
