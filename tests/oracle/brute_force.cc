@@ -58,7 +58,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& input, const Decimat
   for (const auto& [v, w] : constraints_.seams()) is_on_seam[v] = is_on_seam[w] = true;
   for (const auto& [v, w] : brute_force_folds(positions_, faces_, options_)) is_on_seam[v] = is_on_seam[w] = true;
   if (options_.cost == Cost::memoryless) memory_.emplace(positions_, faces_, is_on_seam);
-  attributes_ = BruteForceAttributes(mesh, frame_, positions_, options_);
+  attributes_ = BruteForceAttributes(mesh, frame_, options_);
   areas_ = BruteForceAreas(mesh, options_);
   if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
   had_threshold_pairs_ = !threshold_pairs_.empty();

@@ -1,16 +1,17 @@
 #include "oracle/brute_force_attributes.hh"
 
 #include <algorithm>
+#include <utility>
 
 namespace whittle::test {
 
-BruteForceAttributes::BruteForceAttributes(const IndexedMesh& mesh, const Frame& frame, std::span<const Vec3> positions,
+BruteForceAttributes::BruteForceAttributes(const IndexedMesh& mesh, const Frame& frame,
                                            const DecimateOptions& options) {
   if (!looks_at_attributes(options, mesh)) return;
-  const ScaledAttributes attributes = scaled_attributes(mesh, frame, options.attribute_weights, 1);
+  ScaledAttributes attributes = scaled_attributes(mesh, frame, options.attribute_weights, 1);
   if (attributes.n_components == 0) return;
-  surface_ = sum_attributes(mesh, frame, attributes, positions, 1);
-  wedges_of_.resize(positions.size());
+  surface_ = InputAttributes(mesh, frame, std::move(attributes)).all(1);
+  wedges_of_.resize(mesh.positions.size());
   for (Index w = 0; w < surface_.vertex_of.size(); ++w) wedges_of_[surface_.vertex_of[w]].push_back(w);
 }
 

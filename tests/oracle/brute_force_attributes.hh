@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "cost/attributes/surface_attributes.hh"
+#include "cost/attributes/input_attributes.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/formula/quadric.hh"
 
@@ -19,9 +19,7 @@ class BruteForceAttributes {
   };
 
   BruteForceAttributes() = default;
-  /// \param positions of the mesh, in the frame
-  BruteForceAttributes(const IndexedMesh& mesh, const Frame& frame, std::span<const Vec3> positions,
-                       const DecimateOptions& options);
+  BruteForceAttributes(const IndexedMesh& mesh, const Frame& frame, const DecimateOptions& options);
 
   bool any() const { return surface_.wedges.any(); }
   /// \pre a < b \param a_to_b the way between both

@@ -125,7 +125,21 @@ CostState Block::state_here(const WorkingSurface& surface) const {
   here.face_area = of_surface.face_area->of_part(static_cast<std::uint64_t>(std::max(1.0, n_faces)));
   here.quadrics = quadrics_here(of_surface.quadrics);
   here.seams = quadrics_here(of_surface.seams);
-  here.attributes = of_surface.attributes.at(vertices_);
+  here.attributes = attributes_here(surface);
+  return here;
+}
+
+/// Of vertices that aren't frozen.
+SurfaceAttributes Block::attributes_here(const WorkingSurface& surface) const {
+  std::vector<Index> places;
+  std::vector<Index> vertices;
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    if (frozen_[v] != 0) continue;
+    places.push_back(v);
+    vertices.push_back(vertices_[v]);
+  }
+  SurfaceAttributes here = surface.attributes_at(vertices, 1);
+  for (Index& v : here.vertex_of) v = places[v];
   return here;
 }
 

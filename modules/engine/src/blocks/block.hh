@@ -60,6 +60,7 @@ class Block {
   void gather(const WorkingSurface& surface, const Partition& partition, std::size_t number);
   std::vector<VertexQuadric> quadrics_here(std::span<const VertexQuadric> of_surface) const;
   CostState state_here(const WorkingSurface& surface) const;
+  SurfaceAttributes attributes_here(const WorkingSurface& surface) const;
 
   std::span<const Index> own_;        ///< vertices of the surface
   std::span<const Index> own_faces_;  ///< of the surface

@@ -154,9 +154,7 @@ StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh,
   const double share = std::max(fewest_left / static_cast<double>(plan.faces_per_block),
                                 target.share_of(mesh.faces.size(), mesh.positions.size()));
   const LevelContext level_context{context, mesh, share, progress};
-  SurfaceAttributes attributes = std::move(surface.cost_state.attributes);
   WorkingSurface left = surface;
-  left.cost_state.attributes = std::move(attributes);
   StageReport report;
   if (context.keeps_steps) reserve_large(report.steps.contractions, mesh.positions.size());
   std::string_view why_not;
@@ -171,11 +169,7 @@ StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh,
   }
   if (ends_in_rounds && why_not.empty() && !progress.is_cancelled())
     contract_in_rounds(level_context, target, left, report);
-  if (why_not.empty()) {
-    surface = std::move(left);
-  } else {
-    surface.cost_state.attributes = std::move(left.cost_state.attributes);
-  }
+  if (why_not.empty()) surface = std::move(left);
   report.result.why_in_one_pass = why_not;
   if (progress.is_cancelled()) report.result.stop = StopReason::cancelled;
   report.progress = progress.now().fraction;

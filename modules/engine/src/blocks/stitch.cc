@@ -42,6 +42,7 @@ class Stitching {
 
  private:
   std::vector<std::uint8_t> find_vertices_left() const;
+  SurfaceAttributes attributes_of_shared() const;
 
   const WorkingSurface& surface_;
   const Partition& partition_;
@@ -145,10 +146,23 @@ void Stitching::write_quadrics(std::vector<VertexQuadric> CostState::*list, Work
   });
 }
 
-/// As `write_quadrics`.
+/// Those that vertices frozen here had before.
+SurfaceAttributes Stitching::attributes_of_shared() const {
+  std::vector<Index> shared;
+  for (Index v = 0; v < partition_.is_shared.size(); ++v) {
+    if (partition_.is_shared[v] != 0) shared.push_back(v);
+  }
+  SurfaceAttributes attributes = surface_.attributes_at(shared, threads_);
+  for (Index& v : attributes.vertex_of) v = shared[v];
+  return attributes;
+}
+
 void Stitching::write_attributes(WorkingSurface& left) const {
-  const SurfaceAttributes& before = surface_.cost_state.attributes;
-  if (!before.wedges.any()) return;
+  const SurfaceAttributes of_shared = attributes_of_shared();
+  std::vector<const SurfaceAttributes*> tables{&of_shared};
+  for (const Block* block : blocks_) tables.push_back(&block->cost_state().attributes);
+  const auto known = std::find_if(tables.begin(), tables.end(), [](const auto* table) { return table->wedges.any(); });
+  if (known == tables.end()) return;
   struct Source {
     const SurfaceAttributes* table = nullptr;
     Index first = 0, n = 0;
@@ -160,18 +174,14 @@ void Stitching::write_attributes(WorkingSurface& left) const {
     if (sources[v].n == 0) sources[v] = {&table, w};
     ++sources[v].n;
   };
-  for_each_block(blocks_.size() + 1, threads_, [&](std::size_t b) {
-    const bool is_before = b == blocks_.size();
-    const SurfaceAttributes& table = is_before ? before : blocks_[b]->cost_state().attributes;
-    for (Index w = 0; w < table.vertex_of.size(); ++w) {
-      if (!is_before || partition_.is_shared[table.vertex_of[w]] != 0) note(table, w);
-    }
+  for_each_block(tables.size(), threads_, [&](std::size_t i) {
+    for (Index w = 0; w < tables[i]->vertex_of.size(); ++w) note(*tables[i], w);
   });
   std::vector<Index> firsts(n_vertices_);
   Index sum = 0;
   for (Index v = 0; v < n_vertices_; ++v) firsts[v] = std::exchange(sum, sum + sources[v].n);
   SurfaceAttributes& after = left.cost_state.attributes;
-  after = {before.wedges.of_same_kind(sum), std::vector<Index>(sum), before.farthest};
+  after = {(*known)->wedges.of_same_kind(sum), std::vector<Index>(sum), (*known)->farthest};
   for_each_range(n_vertices_, threads_, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
       const auto& [table, first, n] = sources[v];

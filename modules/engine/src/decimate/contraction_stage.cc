@@ -1,6 +1,8 @@
 #include "decimate/staged_run.hh"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "cost/fold_edges.hh"
 #include "cost/seam_planes.hh"
@@ -113,15 +115,12 @@ ThresholdPairCounts StagedRun::prepare_input(const DecimateOptions& options, Pre
 }
 
 /// For the first stage. Later ones take over what the one before left.
-void StagedRun::sum_attributes_of_input() {
+void StagedRun::look_at_attributes_of_input() {
   WorkingSurface& surface = state_.surface;
-  const bool is_known = surface.cost_state.attributes.wedges.any();
-  if (!surface.is_input() || is_known || host_ || !looks_at_attributes(options_, mesh_)) return;
-  const ScaledAttributes attributes = scaled_attributes(mesh_, frame_, options_.attribute_weights, options_.threads);
+  if (!surface.is_input() || surface.input_attributes || host_ || !looks_at_attributes(options_, mesh_)) return;
+  ScaledAttributes attributes = scaled_attributes(mesh_, frame_, options_.attribute_weights, options_.threads);
   if (attributes.n_components == 0) return;
-  std::vector<Vec3> positions(surface.positions.begin(), surface.positions.end());
-  for (Vec3& p : positions) p = surface.frame.to_frame(p);
-  surface.cost_state.attributes = sum_attributes(mesh_, frame_, attributes, positions, options_.threads);
+  surface.input_attributes = std::make_shared<const InputAttributes>(mesh_, frame_, std::move(attributes));
 }
 
 /// Of the input. \param contractor before its first contraction
@@ -193,7 +192,10 @@ DecimateResult StagedRun::contract(const DecimateTarget& stop, bool is_last, con
   Preparation preparation(options);
   ThresholdPairCounts pairs;
   if (surface.is_input()) pairs = prepare_input(options, preparation);
-  sum_attributes_of_input();
+  look_at_attributes_of_input();
+  if (const auto attributes = std::exchange(surface.input_attributes, {})) {
+    surface.cost_state.attributes = attributes->all(options.threads);
+  }
   const std::vector<std::uint8_t> locked = surface.of_vertices(options_.locked);
   const std::vector<Index> kept_areas = surface.of_faces(areas().of(stop));
   LargeArray<Contraction> made(keeps_steps() ? n_vertices_left() : 0);

@@ -75,7 +75,7 @@ DecimateResult StagedRun::contract_in_blocks(const DecimateTarget& target, const
     context.areas.of = kept_areas;
     context.keeps_steps = keeps_steps();
     const bool is_first = surface().is_input();
-    sum_attributes_of_input();
+    look_at_attributes_of_input();
     report = whittle::contract_in_blocks(state_.surface, mesh_, target, plan, context);
     report.progress = begin + (end - begin) * report.progress;
     if (is_first) note_nonmanifold(report.result);

@@ -75,7 +75,7 @@ class StagedRun {
   DecimateResult end_at_once(StageReport report);
   DecimateOptions options_of_stage(double end);
   ThresholdPairCounts prepare_input(const DecimateOptions& options, Preparation& preparation);
-  void sum_attributes_of_input();
+  void look_at_attributes_of_input();
   void count_before(Contractor& contractor);
   NonmanifoldCounts count_nonmanifold(const WorkingSurface& surface) const;
   DecimateResult run(Contractor& contractor, const DecimateTarget& stop, Preparation& preparation) const;

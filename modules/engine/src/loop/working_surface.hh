@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "complex/constraints.hh"
+#include "cost/attributes/input_attributes.hh"
 #include "cost/cost_state.hh"
 #include "whittle/engine/refusals.hh"
 
@@ -57,11 +59,17 @@ struct WorkingSurface {
   FeatureLines lines{};
   std::vector<VertexPair> threshold_pairs{};  ///< that may be contracted
   CostState cost_state{};
+  /// Of the input, if attributes count: those of its vertices are not in the cost state.
+  std::shared_ptr<const InputAttributes> input_attributes{};
   std::vector<GuardedPair> refusals{};             ///< that hold, if the order is exact
   std::vector<PlacedQuadric> quadrics{};           ///< a vertex, where they are asked for
   std::optional<NonmanifoldCounts> nonmanifold{};  ///< if they are counted
 
   bool is_input() const { return vertex_map.empty(); }
+  /// Those of some vertices, which get their places as numbers. \param vertices ascending
+  SurfaceAttributes attributes_at(std::span<const Index> vertices, unsigned threads) const {
+    return input_attributes ? input_attributes->at(vertices, threads) : cost_state.attributes.at(vertices);
+  }
   Index origin_of(Index vertex) const { return is_input() ? vertex : origins[vertex]; }
   Index face_origin_of(Index face) const { return is_input() ? face : face_origins[face]; }
 

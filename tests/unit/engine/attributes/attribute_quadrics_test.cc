@@ -5,6 +5,7 @@
 #include <numeric>
 #include <random>
 
+#include "cost/attributes/input_attributes.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/engine/decimate.hh"
 
@@ -88,7 +89,7 @@ struct QuadricsOf {
       : frame(Frame::of_points(mesh.positions)), attributes(scaled_attributes(mesh, frame, {}, 1)) {
     attributes.farthest = farthest;
     for (const Vec3& p : mesh.positions) positions.push_back(frame.to_frame(p));
-    quadrics = {sum_attributes(mesh, frame, attributes, positions, 1), positions.size()};
+    quadrics = {InputAttributes(mesh, frame, attributes).all(1), positions.size()};
   }
 
   PairAttributes of(Index a, Index b) const { return quadrics.of({0, a, b}, true, positions[b] - positions[a]); }

@@ -162,26 +162,24 @@ TEST(Blocks, CarryAttributesOn) {
     mesh.normals.clear();
     const DecimateOptions options = memoryless(2);
     const Frame frame = Frame::of_points(mesh.positions);
-    std::vector<Vec3> positions;
-    for (const Vec3& p : mesh.positions) positions.push_back(frame.to_frame(p));
     WorkingSurface surface;
     surface.positions = MaybeOwned<Vec3>::borrowed(mesh.positions);
     surface.faces = MaybeOwned<Triangle>::borrowed(mesh.faces);
     surface.frame = frame;
-    surface.cost_state.attributes =
-        sum_attributes(mesh, frame, scaled_attributes(mesh, frame, options.attribute_weights, 2), positions, 2);
-    const auto weight = [&] {
-      const SurfaceAttributes& attributes = surface.cost_state.attributes;
+    surface.input_attributes =
+        std::make_shared<InputAttributes>(mesh, frame, scaled_attributes(mesh, frame, options.attribute_weights, 2));
+    const auto weight_of = [](const SurfaceAttributes& attributes) {
       double sum = 0;
       for (Index w = 0; w < attributes.vertex_of.size(); ++w) sum += attributes.wedges.weight(w);
       return sum;
     };
-    const double before = weight();
+    const double before = weight_of(surface.input_attributes->all(2));
     const StageReport report = contract_in_blocks(surface, mesh, DecimateTarget::faces(mesh.faces.size() / 8),
                                                   small_blocks, StageContext{options, frame});
     ASSERT_EQ(report.result.why_in_one_pass, "");
     EXPECT_LE(surface.faces.size(), mesh.faces.size() / 4);
-    EXPECT_NEAR(weight(), before, 1e-5 * before);  // each wedge has all faces of those merged into it
+    EXPECT_NEAR(weight_of(surface.cost_state.attributes), before,
+                1e-5 * before);  // each wedge has all faces of those merged into it
     const std::vector<Index>& vertex_of = surface.cost_state.attributes.vertex_of;
     EXPECT_TRUE(std::is_sorted(vertex_of.begin(), vertex_of.end()));
     for (Index v = 0; v < surface.positions.size(); ++v) {

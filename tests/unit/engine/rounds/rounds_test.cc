@@ -124,7 +124,7 @@ RoundLimit limit_of(const Rounds& rounds, std::uint64_t n_pairs, double slack) {
 
 SurfaceAttributes attributes_of(const IndexedMesh& mesh) {
   if (!looks_at_attributes(options_of_rounds(), mesh)) return {};
-  return sum_attributes(mesh, Frame{}, scaled_attributes(mesh, Frame{}, {}, 1), mesh.positions, 1);
+  return InputAttributes(mesh, Frame{}, scaled_attributes(mesh, Frame{}, {}, 1)).all(1);
 }
 
 IndexedMesh colored(IndexedMesh mesh) {
@@ -154,7 +154,7 @@ TEST(Rounds, ContractWhatTheDefinitionSays) {
       SCOPED_TRACE(name + ", slack " + std::to_string(slack));
       IndexedMesh before = mesh;
       SurfaceAttributes attributes = attributes_of(mesh);
-      BruteForceAttributes expected_attributes(mesh, Frame{}, mesh.positions, options_of_rounds());
+      BruteForceAttributes expected_attributes(mesh, Frame{}, options_of_rounds());
       for (int round = 0; round < 6; ++round) {
         InRounds in_rounds(before, {}, {}, attributes);
         in_rounds.rounds().begin_round();

@@ -19,8 +19,4 @@ struct SurfaceAttributes {
   SurfaceAttributes at(std::span<const Index> vertices) const;
 };
 
-/// Sums over the faces of the input, for each wedge that has some. \param positions of the input, in the frame
-SurfaceAttributes sum_attributes(const IndexedMesh& input, const Frame& frame, const ScaledAttributes& attributes,
-                                 std::span<const Vec3> positions, unsigned threads);
-
 }  // namespace whittle
