@@ -21,7 +21,7 @@ machine=${1:-}
 shift
 build=$PWD/build/cross-$machine
 libraries=$build/libraries # where the toolchain files look for them
-header_packages=(libeigen3-dev libnanoflann-dev libfast-float-dev libxxhash-dev)
+header_packages=(libeigen3-dev libnanoflann-dev libfast-float-dev libxxhash-dev nlohmann-json3-dev)
 own_packages=(cmake ninja-build googletest "${header_packages[@]}")
 
 # The libraries that are headers alone serve any machine.
@@ -160,7 +160,7 @@ case $machine in
     test_other_machine "$@"
     ;;
   windows-program)
-    header_packages+=(libcli11-dev nlohmann-json3-dev)
+    header_packages+=(libcli11-dev)
     install_packages "$build/packages.log" "${program_packages[@]}" g++-mingw-w64-x86-64-posix libz-mingw-w64-dev wine wine64 \
       dpkg-dev
     export WINEPREFIX=$build/wine WINEDEBUG=-all

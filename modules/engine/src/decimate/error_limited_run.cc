@@ -175,7 +175,8 @@ void ErrorLimitedRun::contract_nothing() {
 
 void ErrorLimitedRun::contract_no_more() {
   run_.contract(DecimateTarget::faces(run_.n_faces_left()), true);
-  run_.report().result.stop = StopReason::error;
+  const bool is_reached = target().is_reached_at(run_.n_faces_left(), run_.n_vertices_left());
+  run_.report().result.stop = is_reached ? StopReason::target : StopReason::error;
 }
 
 /// Vertices that the second step began with → those that are left.
