@@ -118,7 +118,7 @@ void suggest_for_parts(const IndexedMesh& mesh, bool is_gltf, unsigned threads, 
 IndexedMesh without_backs(const IndexedMesh& mesh) {
   IndexedMesh one_side;
   one_side.positions = mesh.positions;
-  for (const Index f : faces_without_backs(mesh.faces)) one_side.faces.push_back(mesh.faces[f]);
+  for (const Index f : faces_without_backs(mesh)) one_side.faces.push_back(mesh.faces[f]);
   return one_side;
 }
 

@@ -1,13 +1,14 @@
 #include "whittle/core/two_sided.hh"
 
 #include <algorithm>
-#include <array>
-#include <bit>
+#include <atomic>
 #include <cstdint>
 #include <tuple>
 #include <utility>
 
 #include "whittle/core/detail/disjoint_sets.hh"
+#include "whittle/core/detail/large_array.hh"
+#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/vertex_pair.hh"
 
 namespace whittle {
@@ -21,37 +22,10 @@ Triangle in_ascending_order(Triangle corners) {
 /// Whether the corners are in ascending order, but for where they begin.
 bool is_ascending(const Triangle& face) { return (face[0] < face[1]) + (face[1] < face[2]) + (face[2] < face[0]) == 2; }
 
-/// The same for all faces on the same vertices, seldom for others. \param n_bits of it. [1, 32]
-std::uint32_t hash_of(const Triangle& face, int n_bits) {
-  const auto [a, b, c] = std::array<std::uint64_t, 3>{face[0], face[1], face[2]};
-  const std::uint64_t sums = (a + b + c) * 0x9e3779b97f4a7c15U + (a * a + b * b + c * c) * 0xbf58476d1ce4e5b9U;
-  return static_cast<std::uint32_t>(((sums ^ (sums >> 29)) * 0x94d049bb133111ebU) >> (64 - n_bits));
-}
-
-/// Faces with a hash that another face has, too: all that share their vertices with one, and few others.
-std::vector<Index> faces_that_may_coincide(std::span<const Triangle> faces) {
-  constexpr std::size_t slots_per_face = 16;
-  const int n_bits = std::clamp(static_cast<int>(std::bit_width(slots_per_face * faces.size())), 6, 32);
-  struct Slots {  // 64 of them: the hashes of one face and more, and of two and more
-    std::uint64_t once = 0;
-    std::uint64_t twice = 0;
-  };
-  std::vector<Slots> slots((std::size_t{1} << n_bits) / 64);
-  std::vector<std::uint32_t> hashes(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const std::uint32_t hash = hash_of(faces[f], n_bits);
-    hashes[f] = hash;
-    auto& [once, twice] = slots[hash / 64];
-    const std::uint64_t bit = std::uint64_t{1} << (hash % 64);
-    twice |= once & bit;
-    once |= bit;
-  }
-  std::vector<Index> found;
-  for (Index f = 0; f < faces.size(); ++f) {
-    const std::uint32_t hash = hashes[f];
-    if (((slots[hash / 64].twice >> (hash % 64)) & 1U) != 0 && has_three_corners(faces[f])) found.push_back(f);
-  }
-  return found;
+/// One bit of 64, the same for all faces on the same vertices.
+std::uint64_t mark_of(const Triangle& face) {
+  const std::uint64_t all = std::uint64_t{face[0]} + face[1] + face[2];
+  return std::uint64_t{1} << (all * 0x9e3779b97f4a7c15U >> 58);  // Fibonacci hashing (Knuth, TAOCP 3, 6.4)
 }
 
 /// Two faces on the same vertices, with opposite orientation.
@@ -60,9 +34,11 @@ struct FacePair {
 };
 
 /// Pairs of faces, by their fronts, ascending.
-std::vector<FacePair> find_pairs(std::span<const Triangle> faces) {
+std::vector<FacePair> find_pairs(const IndexedMesh& mesh, unsigned threads) {
+  const std::vector<Triangle>& faces = mesh.faces;
   std::vector<std::pair<Triangle, Index>> some;
-  for (const Index f : faces_that_may_coincide(faces)) some.emplace_back(in_ascending_order(faces[f]), f);
+  for (const Index f : faces_that_may_coincide(faces, mesh.positions.size(), threads))
+    some.emplace_back(in_ascending_order(faces[f]), f);
   std::sort(some.begin(), some.end());
   std::vector<FacePair> pairs;
   for (auto begin = some.begin(), end = begin; begin != some.end(); begin = end) {
@@ -150,23 +126,55 @@ class PairSets {
 
 }  // namespace
 
-std::vector<Index> fronts_of_backs(std::span<const Triangle> faces) {
+/// Each vertex has the marks of faces whose lowest corner it is.
+std::vector<Index> faces_that_may_coincide(std::span<const Triangle> faces, std::size_t n_vertices, unsigned threads) {
+  LargeArray<std::uint64_t> marks(n_vertices, 0);
+  std::vector<std::uint8_t> has_equal_marks(n_vertices);
+  const bool is_alone = n_threads(threads) == 1;
+  const auto add_mark = [&](std::uint64_t& all, std::uint64_t mark) {
+    return is_alone ? std::exchange(all, all | mark) : std::atomic_ref(all).fetch_or(mark, std::memory_order_relaxed);
+  };
+  const auto lowest_of = [](const Triangle& face) { return std::min({face[0], face[1], face[2]}); };
+  for_each_range(faces.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (const Triangle& face : faces.subspan(begin, end - begin)) {
+      const Index lowest = lowest_of(face);
+      if (lowest >= n_vertices || !has_three_corners(face)) continue;
+      const std::uint64_t mark = mark_of(face);
+      if ((add_mark(marks[lowest], mark) & mark) != 0) {
+        std::atomic_ref(has_equal_marks[lowest]).store(1, std::memory_order_relaxed);
+      }
+    }
+  });
+  std::vector<std::vector<Index>> found((faces.size() + range_length - 1) / range_length);
+  for_each_range(faces.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (auto f = static_cast<Index>(begin); f < end; ++f) {
+      const Index lowest = lowest_of(faces[f]);
+      if (lowest >= n_vertices || has_equal_marks[lowest] == 0 || !has_three_corners(faces[f])) continue;
+      found[begin / range_length].push_back(f);
+    }
+  });
+  std::vector<Index> all;
+  for (const std::vector<Index>& some : found) all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+std::vector<Index> fronts_of_backs(const IndexedMesh& mesh, unsigned threads) {
   std::vector<Index> fronts;
-  const std::vector<FacePair> pairs = find_pairs(faces);
+  const std::vector<FacePair> pairs = find_pairs(mesh, threads);
   if (pairs.size() < 2) return fronts;
-  PairSets sets(faces, pairs);
+  PairSets sets(mesh.faces, pairs);
   for (Index i = 0; i < pairs.size(); ++i) {
     if (!sets.is_in_sheet(i)) continue;
-    fronts.resize(faces.size(), invalid_index);
+    fronts.resize(mesh.faces.size(), invalid_index);
     fronts[pairs[i].back] = pairs[i].front;
   }
   return fronts;
 }
 
-std::vector<Index> faces_without_backs(std::span<const Triangle> faces) {
-  const std::vector<Index> fronts = fronts_of_backs(faces);
+std::vector<Index> faces_without_backs(const IndexedMesh& mesh, unsigned threads) {
+  const std::vector<Index> fronts = fronts_of_backs(mesh, threads);
   std::vector<Index> numbers;
-  for (Index f = 0; f < faces.size(); ++f) {
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
     if (fronts.empty() || fronts[f] == invalid_index) numbers.push_back(f);
   }
   return numbers;

@@ -114,7 +114,7 @@ std::vector<Index> used_vertices(const IndexedMesh& mesh) {
 
 /// Which faces have another side. Empty if none has.
 std::vector<bool> two_sided_faces(const IndexedMesh& mesh) {
-  const std::vector<Index> fronts = fronts_of_backs(mesh.faces);
+  const std::vector<Index> fronts = fronts_of_backs(mesh);
   std::vector<bool> is_two_sided(fronts.size());
   for (std::size_t back = 0; back < fronts.size(); ++back) {
     if (fronts[back] != invalid_index) is_two_sided[back] = is_two_sided[fronts[back]] = true;

@@ -127,7 +127,7 @@ std::vector<ProvenLevel> levels_of_sheets(const TwoSidedSheets& sheets, const st
 std::vector<ProvenLevel> levels_within(const IndexedMesh& mesh, const std::vector<double>& errors, Effort effort,
                                        const SimplifyOptions& options, const MeshMapping& as_written) {
   check(errors);
-  if (const TwoSidedSheets sheets(mesh); sheets.any()) {
+  if (const TwoSidedSheets sheets(mesh, options.decimate.threads); sheets.any()) {
     return levels_of_sheets(sheets, errors, effort, options, as_written);
   }
   LevelMapping of_level;

@@ -47,7 +47,7 @@ Replay::Replay(IndexedMesh input, RunSteps steps, Normals normals)
 
 std::shared_ptr<Replay::WithoutBacks> Replay::make_without_backs(const IndexedMesh& input, const RunSteps& steps,
                                                                  Normals normals) {
-  if (fronts_of_backs(input.faces).empty()) return nullptr;
+  if (fronts_of_backs(input).empty()) return nullptr;
   auto owned = std::make_unique<IndexedMesh>(input);
   auto sheets = std::make_unique<TwoSidedSheets>(*owned);
   Replay replay(sheets->without_backs(), sheets->steps_without_backs(steps), normals);

@@ -80,7 +80,7 @@ SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const Indexe
                             const DecimateTarget& target) {
   bool is_quick = memoryless_goes_in_blocks(mesh, target, options.decimate);
   if (is_quick) {  // the engine leaves out the backs of two-sided sheets
-    const TwoSidedSheets sheets(mesh);
+    const TwoSidedSheets sheets(mesh, options.decimate.threads);
     is_quick = !sheets.any() || memoryless_goes_in_blocks(sheets.without_backs(), target, options.decimate);
   }
   return with_effort(effort, std::move(options), target, is_quick);

@@ -158,7 +158,8 @@ void fit_attributes_of(const IndexedMesh& original, const SimplifyOptions& optio
 
 Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
                         const SimplifyOptions& options) {
-  if (const TwoSidedSheets sheets(mesh); sheets.any()) return simplify_sheets(sheets, target, effort, options);
+  if (const TwoSidedSheets sheets(mesh, options.decimate.threads); sheets.any())
+    return simplify_sheets(sheets, target, effort, options);
   const SimplifyOptions settled = with_effort_on_one_side(effort, options, mesh, target);
   DecimationPolisher polisher(mesh);
   Simplification result = better_of_both(mesh, target, settled, polisher);
@@ -219,7 +220,7 @@ std::vector<double> pauses_at(const std::vector<DecimateTarget>& targets) {
 std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const std::vector<DecimateTarget>& targets,
                                                Effort effort, const SimplifyOptions& options) {
   check_levels(mesh, targets, options);
-  if (const TwoSidedSheets sheets(mesh); sheets.any())
+  if (const TwoSidedSheets sheets(mesh, options.decimate.threads); sheets.any())
     return simplify_sheets_to_levels(sheets, targets, effort, options);
   if (count_of(targets.back()) == 0) return levels_to_zero(mesh, targets, effort, options);
   SimplifyOptions settled = with_effort_on_one_side(effort, options, mesh, targets.front());

@@ -9,7 +9,7 @@
 namespace whittle {
 
 Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
-  if (const TwoSidedSheets sheets(mesh); sheets.any()) {
+  if (const TwoSidedSheets sheets(mesh, options.threads); sheets.any()) {
     return detail::run_without_backs(sheets, target, options,
                                      [&](const DecimateTarget& own, const DecimateOptions& own_options) {
                                        return decimate(sheets.without_backs(), own, own_options);

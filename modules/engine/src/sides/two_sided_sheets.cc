@@ -51,7 +51,8 @@ SurfaceCounts with_nonmanifold_of(const IndexedMesh& mesh, const Frame& frame, u
 
 }  // namespace
 
-TwoSidedSheets::TwoSidedSheets(const IndexedMesh& mesh) : mesh_(mesh), fronts_of_backs_(fronts_of_backs(mesh.faces)) {
+TwoSidedSheets::TwoSidedSheets(const IndexedMesh& mesh, unsigned threads)
+    : mesh_(mesh), fronts_of_backs_(fronts_of_backs(mesh, threads)) {
   if (!any()) return;
   check_attributes(mesh, "decimate");
   back_of_.assign(mesh.faces.size(), invalid_index);

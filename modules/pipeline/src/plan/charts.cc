@@ -12,7 +12,7 @@ namespace {
 /// Whether texture coordinates differ between the two faces of each inner edge, at one of its ends at least.
 /// \pre the mesh has a table of wedges
 bool has_chart_per_face(const IndexedMesh& mesh, const Attribute& texcoords) {
-  const std::vector<Index> numbers = faces_without_backs(mesh.faces);
+  const std::vector<Index> numbers = faces_without_backs(mesh);
   std::vector<Triangle> faces;
   faces.reserve(numbers.size());
   for (const Index f : numbers) faces.push_back(mesh.faces[f]);

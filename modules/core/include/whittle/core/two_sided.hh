@@ -17,9 +17,15 @@ namespace whittle {
 ///
 /// \return F; for the later face of each pair, its *back*, the number of the earlier face, its *front*; for all other
 ///         faces `invalid_index`. Empty without sheets. Nearly linear time; little if no faces coincide
-std::vector<Index> fronts_of_backs(std::span<const Triangle> faces);
+/// \param threads 0 = all cores
+std::vector<Index> fronts_of_backs(const IndexedMesh& mesh, unsigned threads = 0);
 
 /// Numbers of all faces except the backs of two-sided sheets, ascending. Nearly linear time.
-std::vector<Index> faces_without_backs(std::span<const Triangle> faces);
+std::vector<Index> faces_without_backs(const IndexedMesh& mesh, unsigned threads = 0);
+
+/// All faces that have their three vertices in common with another one, in any order, and few others; ascending. Faces
+/// with two equal corners are left out. \param threads 0 = all cores
+std::vector<Index> faces_that_may_coincide(std::span<const Triangle> faces, std::size_t n_vertices,
+                                           unsigned threads = 0);
 
 }  // namespace whittle

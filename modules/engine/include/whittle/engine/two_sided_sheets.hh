@@ -20,7 +20,7 @@ class TwoSidedSheets {
  public:
   /// Keeps a reference to the mesh.
   /// \throw std::invalid_argument for attributes of a wrong length or that are not finite, if there is a sheet
-  explicit TwoSidedSheets(const IndexedMesh& mesh);
+  explicit TwoSidedSheets(const IndexedMesh& mesh, unsigned threads = 0);
 
   bool any() const { return !fronts_of_backs_.empty(); }
   const IndexedMesh& mesh() const { return mesh_; }
