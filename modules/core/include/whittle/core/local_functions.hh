@@ -59,12 +59,14 @@ class LocalFunctions {
   std::vector<LocalFunction> around(Index w, std::size_t n, const Value& value) const {
     const Place& place = places_[w];
     std::vector<Sums> sums;
+    sums.reserve(n);
     for (std::size_t i = 0; i < n; ++i) sums.emplace_back(value(place.corners.front().wedge, i));
     for (const Corner& corner : place.corners) {
       const Vec3 from_center = position_of(corner) - place.center;
       for (std::size_t i = 0; i < n; ++i) sums[i].add(corner.weight, from_center, value(corner.wedge, i));
     }
     std::vector<LocalFunction> functions;
+    functions.reserve(n);
     for (const Sums& sum : sums) functions.push_back(function_of(place, sum));
     return functions;
   }
