@@ -11,6 +11,13 @@
 
 namespace whittle {
 
+/// Each number in double precision, and each rounded to single precision.
+WHITTLE_INLINE Double4 widened(const Float4& lanes) { return Double4{lanes[0], lanes[1], lanes[2], lanes[3]}; }
+WHITTLE_INLINE Float4 rounded(const Double4& lanes) {
+  return Float4{static_cast<float>(lanes[0]), static_cast<float>(lanes[1]), static_cast<float>(lanes[2]),
+                static_cast<float>(lanes[3])};
+}
+
 /// How the numbers of a wedge lie: the weight; the quadric, ten numbers; then for each four components the slopes along
 /// x, along y, along z, and the values at the origin.
 struct WedgeLayout {

@@ -55,13 +55,6 @@ WHITTLE_INLINE Real select_lanes(const LaneMask<Real>& condition, const Real& ye
   return condition ? yes : no;
 }
 
-/// Each number in double precision, and each rounded to single precision.
-WHITTLE_INLINE Double4 widened(const Float4& lanes) { return Double4{lanes[0], lanes[1], lanes[2], lanes[3]}; }
-WHITTLE_INLINE Float4 rounded(const Double4& lanes) {
-  return Float4{static_cast<float>(lanes[0]), static_cast<float>(lanes[1]), static_cast<float>(lanes[2]),
-                static_cast<float>(lanes[3])};
-}
-
 /// The numbers at `from`, which may be unaligned.
 template <class Vector, class Number>
 WHITTLE_INLINE Vector load_lanes(const Number* from) {
