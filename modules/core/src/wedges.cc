@@ -69,6 +69,15 @@ std::vector<Index> vertices_of_wedges(const IndexedMesh& mesh) {
   return vertices;
 }
 
+detail::IndexLists<Index> wedges_of_vertices(const IndexedMesh& mesh) {
+  const std::vector<Index> vertices = vertices_of_wedges(mesh);
+  return {mesh.positions.size(), [&](const auto& emit) {
+            for (Index w = 0; w < vertices.size(); ++w) {
+              if (vertices[w] != invalid_index) emit(vertices[w], w);
+            }
+          }};
+}
+
 void make_wedge_table(IndexedMesh& mesh) {
   if (!mesh.wedges.empty()) return;
   mesh.wedges.reserve(3 * mesh.faces.size());

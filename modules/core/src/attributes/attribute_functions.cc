@@ -14,7 +14,6 @@
 
 #include "whittle/core/attribute_blend.hh"
 #include "whittle/core/detail/disjoint_sets.hh"
-#include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/wedges.hh"
 
@@ -27,15 +26,6 @@ constexpr std::size_t least_points = 8;
 constexpr double most_apart = 1e-4;
 
 bool has_unit_length(AttributeKind kind) { return kind == AttributeKind::normal || kind == AttributeKind::tangent; }
-
-detail::IndexLists<Index> wedges_of_vertices(const IndexedMesh& mesh) {
-  const std::vector<Index> vertices = vertices_of_wedges(mesh);
-  return {mesh.positions.size(), [&](const auto& emit) {
-            for (Index w = 0; w < vertices.size(); ++w) {
-              if (vertices[w] != invalid_index) emit(vertices[w], w);
-            }
-          }};
-}
 
 /// Per wedge, the first wedge of its vertex with the same value.
 std::vector<Index> first_equal_wedges(const IndexedMesh& mesh, std::span<const double> values,
@@ -153,7 +143,8 @@ void AttributeFunctions::find_chart(const LocalFunctions& charts, Index chart) {
 }
 
 /// Most charts are not linear, and a few of their points tell: if a function was `most_apart` from none of the chart's
-/// numbers, the best one for these points would leave no more than that.
+/// numbers, the best one for these points would leave no more than that. Rounding decides nothing: a chart that is left
+/// is looked at as a whole.
 void AttributeFunctions::drop_bent_charts(std::vector<Index>& charts) const {
   constexpr std::size_t n_sampled = 64;  // about so many wedges of a chart
   const auto [of_wedges, n_charts] = numbered(charts);

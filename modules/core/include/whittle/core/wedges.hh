@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/vertex_pair.hh"
 
@@ -15,6 +16,8 @@ std::size_t n_wedges(const IndexedMesh& mesh);
 
 /// The vertex of each wedge; `invalid_index` if no corner has it. Empty without a table: numbers are equal.
 std::vector<Index> vertices_of_wedges(const IndexedMesh& mesh);
+/// By vertex, the wedges that its faces have there, ascending. No wedges if the mesh has no table of them.
+detail::IndexLists<Index> wedges_of_vertices(const IndexedMesh& mesh);
 
 /// Makes the table of wedges if it is missing: each vertex is a wedge.
 void make_wedge_table(IndexedMesh& mesh);

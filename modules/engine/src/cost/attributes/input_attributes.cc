@@ -10,17 +10,10 @@
 namespace whittle {
 
 InputAttributes::InputAttributes(const IndexedMesh& input, const Frame& frame, ScaledAttributes attributes)
-    : input_(input), frame_(frame), attributes_(std::move(attributes)) {
+    : input_(input), frame_(frame), attributes_(std::move(attributes)), wedges_at_(wedges_of_vertices(input)) {
   faces_of_ = detail::IndexLists<Index, std::size_t>(n_wedges(input), [&](const auto& emit) {
     for (Index f = 0; f < input.faces.size(); ++f) {
       for (std::size_t k = 0; k < 3; ++k) emit(input.wedge(f, k), f);
-    }
-  });
-  if (input.wedges.empty()) return;
-  const std::vector<Index> vertices = vertices_of_wedges(input);
-  wedges_at_ = detail::IndexLists<Index, std::size_t>(input.positions.size(), [&](const auto& emit) {
-    for (Index w = 0; w < vertices.size(); ++w) {
-      if (vertices[w] != invalid_index) emit(vertices[w], w);
     }
   });
 }

@@ -27,8 +27,8 @@ class InputAttributes {
   const IndexedMesh& input_;
   Frame frame_;
   ScaledAttributes attributes_;
-  detail::IndexLists<Index, std::size_t> wedges_at_;  ///< by vertex; empty if each is a wedge
-  detail::IndexLists<Index, std::size_t> faces_of_;   ///< by wedge
+  detail::IndexLists<Index> wedges_at_;              ///< by vertex; none if each is a wedge
+  detail::IndexLists<Index, std::size_t> faces_of_;  ///< by wedge
 };
 
 }  // namespace whittle
