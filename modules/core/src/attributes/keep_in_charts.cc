@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -57,12 +57,15 @@ class ChartKeeper {
   }
 
   std::size_t run() {
-    std::vector<Index> faces = those_over_others(at_border_);
+    find_shares();
+    std::vector<Index> faces = those_over_others();
     for (int i = 0; i < most_tries && !faces.empty(); ++i) {
       bool is_any_moved = false;
-      for (const Index f : faces) is_any_moved = draw_back(f) || is_any_moved;
+      for (const Index f : faces) {
+        if (shares_[f] > 0 && !is_stuck_[f]) is_any_moved |= draw_back(f);
+      }
       if (!is_any_moved) break;
-      faces = those_over_others(with_neighbours(faces));
+      faces = those_over_others();
     }
     return faces.size();
   }
@@ -107,7 +110,7 @@ class ChartKeeper {
     const auto& [a, b, c] = triangle(f);
     return detail::area_on_image(a, b, c);
   }
-  /// The share of a face's points that lie over others.
+  /// The share of a face's points that lie over others, as they are now.
   double share_over_others(Index f) const {
     const ImageTriangle corners = triangle(f);
     const Vec2 centroid = (corners[0] + corners[1] + corners[2]) / 3;
@@ -127,16 +130,18 @@ class ChartKeeper {
     return static_cast<double>(n_over_others) / n_points;
   }
 
-  std::vector<Index> those_over_others(std::span<const Index> faces) const {
-    std::vector<std::uint8_t> is_over(faces.size());
-    for_each_range(faces.size(), texture_.threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) is_over[i] = share_over_others(faces[i]) > 0 ? 1 : 0;
+  void find_shares() {
+    shares_.resize(texture_.faces.size());
+    is_stuck_.resize(texture_.faces.size());
+    for_each_range(at_border_.size(), texture_.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) shares_[at_border_[i]] = share_over_others(at_border_[i]);
     });
-    std::vector<Index> result;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      if (is_over[i] != 0) result.push_back(faces[i]);
-    }
-    return result;
+  }
+  std::vector<Index> those_over_others() const {
+    std::vector<Index> faces;
+    std::copy_if(at_border_.begin(), at_border_.end(), std::back_inserter(faces),
+                 [this](Index f) { return shares_[f] > 0; });
+    return faces;
   }
 
   bool is_border(Index a, Index b) const {
@@ -148,20 +153,6 @@ class ChartKeeper {
     return std::count_if(faces.begin(), faces.end(), has_b) == 1;
   }
 
-  /// Ascending.
-  std::vector<Index> with_neighbours(std::span<const Index> faces) const {
-    std::vector<Index> result;
-    for (const Index f : faces) {
-      for (const Index w : texture_.faces[f]) {
-        const std::span<const Index> around = border_faces_at_.of(w);
-        result.insert(result.end(), around.begin(), around.end());
-      }
-    }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
-
   Vec2 middle_of_neighbours(Index w) const {
     Vec2 sum = Vec2::Zero();
     for (const Index f : faces_at_.of(w)) {
@@ -170,10 +161,11 @@ class ChartKeeper {
     return sum / (3.0 * static_cast<double>(faces_at_.of(w).size()));
   }
 
-  /// The area over others of the faces at w; 0 if there is none.
-  double area_over_others(Index w) const {
+  /// The area over others of the faces at w; 0 if there is none. \param share_of a face
+  template <class ShareOf>
+  double area_over_others(Index w, const ShareOf& share_of) const {
     double sum = 0;
-    for (const Index f : border_faces_at_.of(w)) sum += share_over_others(f) * std::abs(area(f));
+    for (const Index f : border_faces_at_.of(w)) sum += share_of(f) * std::abs(area(f));
     return sum;
   }
 
@@ -183,7 +175,7 @@ class ChartKeeper {
     std::optional<Move> best;
     const Vec2 from = at(w);
     const Vec2 way = middle_of_neighbours(w) - from;
-    const double before = area_over_others(w);
+    const double before = area_over_others(w, [this](Index f) { return shares_[f]; });
     std::vector<double> areas;
     for (const Index f : faces_at_.of(w)) areas.push_back(area(f));
     for (const double step : steps) {
@@ -192,7 +184,7 @@ class ChartKeeper {
       for (std::size_t i = 0; i < areas.size(); ++i) is_any_turned |= area(faces_at_.of(w)[i]) * areas[i] < 0;
       if (is_any_turned) continue;
       const double length = step * way.norm();
-      const double after = area_over_others(w);
+      const double after = area_over_others(w, [this](Index f) { return share_over_others(f); });
       const Move found{w, at(w), length, (before - after) / length, after == 0};
       if (found.gain > 0 && (!best || found.is_better_than(*best))) best = found;
       if (found.is_enough) break;
@@ -203,14 +195,26 @@ class ChartKeeper {
 
   /// \return whether a corner of the face has moved
   bool draw_back(Index f) {
-    if (share_over_others(f) == 0 || std::abs(area(f)) > atlas_.area(charts_[f])) return false;
     std::optional<Move> best;
-    for (const Index w : texture_.faces[f]) {
-      const std::optional<Move> found = best_move(w);
-      if (found && (!best || found->is_better_than(*best))) best = found;
+    if (std::abs(area(f)) <= atlas_.area(charts_[f])) {
+      for (const Index w : texture_.faces[f]) {
+        const std::optional<Move> found = best_move(w);
+        if (found && (!best || found->is_better_than(*best))) best = found;
+      }
     }
-    if (best) move(best->wedge, best->to);
+    is_stuck_[f] = !best;
+    if (best) make(*best);
     return best.has_value();
+  }
+
+  void make(const Move& best) {
+    move(best.wedge, best.to);
+    for (const Index f : border_faces_at_.of(best.wedge)) shares_[f] = share_over_others(f);
+    for (const Index f : faces_at_.of(best.wedge)) {
+      for (const Index w : texture_.faces[f]) {
+        for (const Index near : border_faces_at_.of(w)) is_stuck_[near] = false;
+      }
+    }
   }
 
   const MovedTexture& texture_;
@@ -222,6 +226,8 @@ class ChartKeeper {
   std::vector<std::array<bool, 3>> border_sides_;
   std::vector<Index> at_border_;               ///< faces with such a side
   detail::IndexLists<Index> border_faces_at_;  ///< per wedge
+  std::vector<double> shares_;                 ///< of each face's points that lie over others, if it is at a border
+  std::vector<bool> is_stuck_;                 ///< per face: no move of a corner gains, as faces are around it
 };
 
 bool are_finite(std::span<const double> values) {
