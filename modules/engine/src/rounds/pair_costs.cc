@@ -110,18 +110,29 @@ struct PairCosts::Kernels {
 };
 
 void PairCosts::rank(std::span<const VertexPair> pairs, std::span<float> costs) const {
+  if (placement_ != Placement::optimal) {
+    std::transform(pairs.begin(), pairs.end(), costs.begin(),
+                   [this](const VertexPair& pair) { return CostCounts::in_range(of(pair).cost); });
+    return;
+  }
   const Kernels kernels{*this};
   has_double4 ? kernels.rank_in_wide_registers(pairs, costs.data()) : kernels.rank(pairs, costs.data());
 }
 
 void PairCosts::rank(std::span<const VertexPair> pairs, const AttributeQuadrics& attributes,
                      std::span<float> costs) const {
+  if (placement_ != Placement::optimal) {
+    std::transform(pairs.begin(), pairs.end(), costs.begin(),
+                   [&](const VertexPair& pair) { return CostCounts::in_range(of(pair, attributes).cost); });
+    return;
+  }
   const Kernels kernels{*this};
   has_double4 ? kernels.rank_in_wide_registers(pairs, attributes, costs.data())
               : kernels.rank(pairs, attributes, costs.data());
 }
 
 PairEvaluation PairCosts::of(const VertexPair& pair) const {
+  if (placement_ != Placement::optimal) return of(placed(pair.a), placed(pair.b));
   const auto lanes = [this](Index v) {
     const SymmetricMatrix a = stars_[v].matrix();
     return SymmetricLanes<double>{a.xx, a.xy, a.xz, a.yy, a.yz, a.zz};
@@ -140,13 +151,13 @@ PairEvaluation PairCosts::of(const VertexPair& pair, const AttributeQuadrics& at
 }
 
 PairEvaluation PairCosts::of(const PlacedQuadric& first, const PlacedQuadric& second, PairConstraint constraint) const {
-  return in_unit(evaluate_pair(first, second, Placement::optimal, constraint), first, second);
+  return in_unit(evaluate_pair(first, second, placement_, constraint), first, second);
 }
 
 PairEvaluation PairCosts::of(const VertexPair& pair, const PlacedQuadric& first, const PlacedQuadric& second,
                              const AttributeQuadrics& attributes, PairConstraint constraint) const {
   const PairAttributes of_pair = attributes.of({invalid_index, pair.a, pair.b}, true, second.position - first.position);
-  return in_unit(evaluate_with_attributes(first, second, of_pair, Placement::optimal, constraint), first, second);
+  return in_unit(evaluate_with_attributes(first, second, of_pair, placement_, constraint), first, second);
 }
 
 PairEvaluation PairCosts::in_unit(PairEvaluation evaluation, const PlacedQuadric& first,

@@ -13,9 +13,10 @@ namespace whittle {
 /// others as alone.
 class PairCosts {
  public:
-  /// \param first_area a₀
-  PairCosts(std::span<const LanePoint> points, std::span<const StarPlanes> stars, double first_area)
-      : points_(points), stars_(stars), first_area_(first_area) {}
+  /// \param first_area a₀ \param placement of merged vertices
+  PairCosts(std::span<const LanePoint> points, std::span<const StarPlanes> stars, double first_area,
+            Placement placement = Placement::optimal)
+      : points_(points), stars_(stars), first_area_(first_area), placement_(placement) {}
 
   /// \param costs per pair, rounded to single precision
   void rank(std::span<const VertexPair> pairs, std::span<float> costs) const;
@@ -38,6 +39,7 @@ class PairCosts {
   std::span<const LanePoint> points_;
   std::span<const StarPlanes> stars_;
   double first_area_;
+  Placement placement_;
 };
 
 }  // namespace whittle

@@ -114,8 +114,15 @@ void Rounds::list_pairs_at(std::span<const Index> vertices, PairChunk& chunk) {
   const std::span<const VertexPair> pairs(first, next);
   const auto costs = std::span(scratch_->costs).subspan(chunk.begin, pairs.size());
   attributes_.any() ? pair_costs_.rank(pairs, attributes_, costs) : pair_costs_.rank(pairs, costs);
+  if (valences_.count()) penalize(pairs, costs);
   held_.raise(pairs, costs);
   chunk.end = chunk.begin + pairs.size();
+}
+
+void Rounds::penalize(std::span<const VertexPair> pairs, std::span<float> costs) const {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    costs[i] = CostCounts::in_range(valences_.penalized(pairs[i], costs[i]));
+  }
 }
 
 /// Of a vertex with flags, all pairs but those that the other one lists, each once.
@@ -125,7 +132,7 @@ void Rounds::list_pairs_at(Index v) {
     const bool is_listed_there = flags_[w] != 0 && w < v;
     if (has(w, frozen) || is_listed_there || (has(v, locked) && has(w, locked))) return;
     const VertexPair pair{std::min(v, w), std::max(v, w)};
-    const float cost = held_.cost(pair, CostCounts::in_range(rank(pair).cost));
+    const float cost = held_.cost(pair, CostCounts::in_range(valences_.penalized(pair, rank(pair).cost)));
     std::size_t& place = scratch_->chunks.back().end;
     make_room(scratch_->pairs, place + 1);
     make_room(scratch_->costs, place + 1);
@@ -189,7 +196,8 @@ void Rounds::take(const VertexPair& pair, float most) {
   refresh(a, 0);
   refresh(b, 1);
   const PairEvaluation ranked = rank(pair);
-  if (CostCounts::in_range(ranked.cost) > most) return;
+  double cost = valences_.penalized(pair, ranked.cost);
+  if (CostCounts::in_range(cost) > most) return;
   if (areas_.any() && areas_.end_with(vanishing_faces(a))) return refuse(pair, Refusal::area);
   StarVolume volume;
   Vec3 position = ranked.position;
@@ -203,7 +211,6 @@ void Rounds::take(const VertexPair& pair, float most) {
     position = ranked.position;
     if (const std::optional<Refusal> why_there = refusal_at(position)) return refuse(pair, *why_there);
   }
-  double cost = ranked.cost;
   if (forgets_planes && volume.is_thin()) {
     cost = std::max(cost, thin_cost(star_.displacement_sq(position), face_area_.now(n_faces_)));
     const float in_range = CostCounts::in_range(cost);
@@ -264,11 +271,20 @@ std::span<const Index> Rounds::vanishing_faces(Index a) {
   return vanishing_;
 }
 
+/// A locked vertex, or one that stays where it is.
+Index Rounds::survivor(const VertexPair& pair, const Vec3& position) const {
+  const auto [a, b] = pair;
+  if (has(a, locked)) return a;
+  const bool is_at_first = quadric_.placement == Placement::endpoint && position == Vec3(mesh_.point(a));
+  return is_at_first && !has(b, locked) ? a : b;
+}
+
 void Rounds::merge(const VertexPair& pair, const PairEvaluation& ranked, const Vec3& position, double cost) {
   const auto [a, b] = pair;
-  const Index survivor = has(a, locked) ? a : b;
+  const Index survivor = this->survivor(pair, position);
   const Index removed = survivor == a ? b : a;
   if (areas_.any()) areas_.remove(vanishing_faces(a));
+  valences_.merge(pair, survivor, star_.opposites());
   ++n_contractions_;
   for (std::size_t i = 0; i < star_.n_faces(); ++i) {
     note_change(star_.others(i).x);

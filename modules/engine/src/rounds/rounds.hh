@@ -14,6 +14,7 @@
 #include "rounds/merged_star.hh"
 #include "rounds/pair_costs.hh"
 #include "rounds/round_mesh.hh"
+#include "rounds/valences.hh"
 
 namespace whittle {
 
@@ -99,7 +100,9 @@ class Rounds {
   bool is_target_reached() const;
   void take(const VertexPair& pair, float most);
   void refresh(Index v, std::size_t end);
+  void penalize(std::span<const VertexPair> pairs, std::span<float> costs) const;
   PairEvaluation rank(const VertexPair& pair) const;
+  Index survivor(const VertexPair& pair, const Vec3& position) const;
   PlacedQuadric placed(Index v) const;
   SymmetricMatrix matrix(Index v) const;
   Index now() const { return static_cast<Index>(n_contractions_); }
@@ -138,6 +141,7 @@ class Rounds {
   AttributeQuadrics attributes_;
   std::vector<Index> special_;  ///< vertices with flags that are left, but for frozen ones
   AreaCounts areas_;
+  Valences valences_;
   std::size_t n_inner_ = 0;
   std::uint64_t n_degenerate_faces_ = 0;
   NonmanifoldCounts nonmanifold_;

@@ -51,10 +51,11 @@ Rounds::Rounds(WorkingSurface& surface, const StageContext& context, RoundScratc
       mesh_(surface.positions, surface.faces, context.frozen, !context.areas.of.empty(), *scratch_),
       flags_(mesh_.n_vertices(), frozen),
       areas_(context.areas),
+      valences_(mesh_, options_.valence_weight),
       states_(mesh_.n_vertices(), outdated),
       stars_(scratch_->stars_of(mesh_.n_vertices())),
       held_(mesh_.n_vertices()),
-      pair_costs_(mesh_.points(), stars_, face_area_.first()),
+      pair_costs_(mesh_.points(), stars_, face_area_.first(), quadric_.placement),
       star_(mesh_) {
   surface.positions = {};
   sum_up();
@@ -78,7 +79,9 @@ void Rounds::look_at_vertices(const StageContext& context) {
   for (const Index v : mesh_.vertices()) {
     const bool is_locked = !context.locked.empty() && context.locked[v] != 0;
     flags_[v] = is_locked ? locked : 0;
-    if (!rings.is_ring(v, mesh_.star(v))) look_at_irregular(v, link, context.frozen);
+    const bool is_ring = rings.is_ring(v, mesh_.star(v));
+    if (is_ring && valences_.count()) valences_.set(v, mesh_.star(v).size(), false);
+    if (!is_ring) look_at_irregular(v, link, context.frozen);
     if (flags_[v] != 0) special_.push_back(v);
   }
 }
@@ -88,6 +91,7 @@ void Rounds::look_at_irregular(Index v, Link& link, std::span<const std::uint8_t
   const std::span<const LinkEdge> star = mesh_.star(v);
   link.gather(star);
   const VertexKind kind = link.kind();
+  if (valences_.count()) valences_.set(v, link.entries().size(), kind != VertexKind::regular);
   if (kind != VertexKind::regular) {
     for (const Link::Entry& entry : link.entries()) {
       const bool is_seen_from_both = frozen_by_context.empty() || frozen_by_context[entry.vertex] == 0;

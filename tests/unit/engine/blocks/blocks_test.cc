@@ -13,6 +13,7 @@
 #include "unit/engine/blocks/larger_meshes.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/metrics/distance.hh"
+#include "whittle/metrics/shape.hh"
 
 namespace whittle::test {
 namespace {
@@ -188,6 +189,48 @@ TEST(Blocks, CarryAttributesOn) {
   }
 }
 
+TEST(Blocks, LeaveVerticesWhereTheyAre) {
+  std::uint64_t n_contractions = 0;
+  for (auto [name, mesh] : larger_meshes()) {
+    for (const bool is_colored : {false, true}) {
+      SCOPED_TRACE(name + (is_colored ? ", colored" : ""));
+      if (is_colored) mesh.colors.assign(mesh.positions.size(), Color{0.5F, 0.2F, 1, 1});
+      DecimateOptions options = memoryless();
+      options.quadric.placement = Placement::endpoint;
+      options.locked.resize(mesh.positions.size());
+      for (Index v = 0; v < mesh.positions.size(); v += 50) options.locked[v] = 1;
+      const Decimation d = in_blocks(mesh, mesh.faces.size() / 8, options);
+      n_contractions += d.result.n_contractions;
+      for (Index v = 0; v < d.mesh.positions.size(); ++v) {
+        EXPECT_EQ(d.mesh.positions[v], mesh.positions[d.mesh.origins[v]]);
+      }
+      for (Index v = 0; v < mesh.positions.size(); v += 50) {
+        if (d.vertex_map[v] == invalid_index) continue;
+        EXPECT_EQ(d.mesh.origins[d.vertex_map[v]], v);
+      }
+      options.threads = 3;
+      expect_equal(d, in_blocks(mesh, mesh.faces.size() / 8, options));
+    }
+  }
+  EXPECT_GT(n_contractions, 10000U);
+}
+
+TEST(Blocks, CountValences) {
+  for (const auto& [name, mesh] : {NamedMesh{"blob", blob(5, 1)}, NamedMesh{"noisy_sphere", noisy_sphere(4, 0.05, 2)},
+                                   NamedMesh{"terrain", terrain(60, 3)}, NamedMesh{"moebius", moebius(120, 16)}}) {
+    SCOPED_TRACE(name);
+    const auto decimated = [&mesh](double weight, unsigned threads) {
+      DecimateOptions options = memoryless(threads);
+      options.valence_weight = weight;
+      return in_blocks(mesh, mesh.faces.size() / 8, options);
+    };
+    const auto regular_share = [](const Decimation& d) { return metrics::shape(d.mesh).valence.share_5_to_7; };
+    const Decimation with_weight = decimated(1, 1);
+    EXPECT_GT(regular_share(with_weight), regular_share(decimated(0, 1)) + 0.02);
+    expect_equal(with_weight, decimated(1, 3));
+  }
+}
+
 TEST(Blocks, HoldSeams) {
   const IndexedMesh mesh = disc_in_square(60);
   const auto area_error = [&](double weight) {
@@ -234,6 +277,18 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
   EXPECT_EQ(why_not_in_blocks(far_flung, target, plain_quadrics(2), nullptr, small_blocks, false),
             "rounding may decide the order");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.isotropy = 0.5; }), "the cost has a term for edge lengths");
+  const auto valences = [](DecimateOptions& o) { o.valence_weight = 1; };
+  const auto endpoints = [](DecimateOptions& o) { o.quadric.placement = Placement::endpoint; };
+  EXPECT_EQ(quadric(valences), "the cost has a term for valences");
+  EXPECT_EQ(quadric(endpoints), "vertices stay where they are");
+  EXPECT_EQ(reason(valences, target), "");
+  EXPECT_EQ(reason(endpoints, target), "");
+  DecimateOptions limited = memoryless();
+  const StageLimits limits{.displacement = 0.1};
+  EXPECT_EQ(why_not_in_blocks(mesh, target, limited, nullptr, small_blocks, false, limits), "");
+  valences(limited);
+  EXPECT_EQ(why_not_in_blocks(mesh, target, limited, nullptr, small_blocks, false, limits),
+            "the cost has a term for valences");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.listener = [](const Contraction&) {}; }),
             "contractions are told in exact order");
   BlockPlan in_detail = small_blocks;

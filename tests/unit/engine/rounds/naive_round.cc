@@ -11,6 +11,7 @@
 #include "whittle/engine/cost_traits.hh"
 #include "whittle/engine/formula/flip_limit.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
+#include "whittle/engine/formula/valence_term.hh"
 
 namespace whittle::test {
 namespace {
@@ -23,10 +24,12 @@ double distance_sq_to(const Corners& c, const Vec3& p) {
 
 class NaiveRound {
  public:
-  NaiveRound(const IndexedMesh& mesh, const MeanFaceArea& area, const RoundLimit& limit,
+  NaiveRound(const IndexedMesh& mesh, const DecimateOptions& options, const MeanFaceArea& area, const RoundLimit& limit,
              BruteForceAttributes& attributes)
       : positions_(mesh.positions),
         faces_(mesh.faces),
+        placement_(options.quadric.placement),
+        valence_weight_(options.valence_weight),
         area_(area),
         limit_(limit),
         attributes_(attributes),
@@ -83,12 +86,12 @@ class NaiveRound {
   PairEvaluation evaluate(const VertexPair& pair) const {
     const PlacedQuadric a = placed(pair.a);
     const PlacedQuadric b = placed(pair.b);
-    PairEvaluation result = evaluate_pair(a, b, Placement::optimal);
+    PairEvaluation result = evaluate_pair(a, b, placement_);
     if (attributes_.any()) {
       const auto [quadric, most] = attributes_.of(pair.a, pair.b, true, b.position - a.position);
       PlacedQuadric all = a;
       all.quadric += quadric;
-      const PairEvaluation with_attributes = evaluate_pair(all, b, Placement::optimal);
+      const PairEvaluation with_attributes = evaluate_pair(all, b, placement_);
       if (quadric(with_attributes.position - a.position) <= most) {
         result = with_attributes;
       } else {
@@ -96,7 +99,25 @@ class NaiveRound {
       }
     }
     result.cost *= memoryless_factor(a.quadric.a.trace() + b.quadric.a.trace(), area_.first());
+    if (valence_weight_ > 0) result.cost = with_penalty(pair, CostCounts::in_range(result.cost));
     return result;
+  }
+  /// \pre the surface is closed
+  double with_penalty(const VertexPair& pair, double cost) const {
+    const std::set<Index> of_a = neighbours(pair.a);
+    const std::set<Index> of_b = neighbours(pair.b);
+    std::set<Index> opposites;
+    for (const Triangle& face : pair_star(pair).both) opposites.insert(face[0] + face[1] + face[2] - pair.a - pair.b);
+    ValenceChange change;
+    change.add_before(static_cast<int>(of_a.size()), false);
+    change.add_before(static_cast<int>(of_b.size()), false);
+    change.add_after(static_cast<int>(of_a.size() + of_b.size() - 2 - opposites.size()), false);
+    for (const Index v : opposites) {
+      const auto valence = static_cast<int>(neighbours(v).size());
+      change.add_before(valence, false);
+      change.add_after(valence - 1, false);
+    }
+    return change.penalize(cost, valence_weight_);
   }
   static bool has(const Triangle& face, Index v) { return std::find(face.begin(), face.end(), v) != face.end(); }
 
@@ -180,14 +201,19 @@ class NaiveRound {
       if (CostCounts::in_range(cost) > limit_.cost) return;
     }
     is_merged_[pair.a] = is_merged_[pair.b] = true;
-    if (attributes_.any()) attributes_.contract(pair.a, pair.b, pair.b, true, positions_, position);
-    positions_[pair.b] = position;
-    for (Triangle& face : faces_) std::replace(face.begin(), face.end(), pair.a, pair.b);
-    made_.push_back({pair.b, pair.a, position});
+    const bool stays_at_first = placement_ == Placement::endpoint && position == positions_[pair.a];
+    const Index survivor = stays_at_first ? pair.a : pair.b;
+    const Index removed = stays_at_first ? pair.b : pair.a;
+    if (attributes_.any()) attributes_.contract(pair.a, pair.b, survivor, true, positions_, position);
+    positions_[survivor] = position;
+    for (Triangle& face : faces_) std::replace(face.begin(), face.end(), removed, survivor);
+    made_.push_back({survivor, removed, position});
   }
 
   std::vector<Vec3> positions_;
   std::vector<Triangle> faces_;
+  Placement placement_;
+  double valence_weight_;
   MeanFaceArea area_;
   RoundLimit limit_;
   BruteForceAttributes& attributes_;
@@ -197,9 +223,10 @@ class NaiveRound {
 
 }  // namespace
 
-std::vector<NaiveContraction> naive_round(const IndexedMesh& mesh, const MeanFaceArea& area, const RoundLimit& limit,
+std::vector<NaiveContraction> naive_round(const IndexedMesh& mesh, const DecimateOptions& options,
+                                          const MeanFaceArea& area, const RoundLimit& limit,
                                           BruteForceAttributes& attributes) {
-  return NaiveRound(mesh, area, limit, attributes).run();
+  return NaiveRound(mesh, options, area, limit, attributes).run();
 }
 
 }  // namespace whittle::test

@@ -42,8 +42,13 @@ MeanFaceArea mean_area(const IndexedMesh& mesh) {
 class InRounds {
  public:
   explicit InRounds(const IndexedMesh& mesh, std::vector<std::uint8_t> frozen = {},
-                    std::vector<std::uint8_t> locked = {}, SurfaceAttributes attributes = {})
-      : mesh_(mesh), frozen_(std::move(frozen)), locked_(std::move(locked)), log_(mesh.positions.size()) {
+                    std::vector<std::uint8_t> locked = {}, SurfaceAttributes attributes = {},
+                    const DecimateOptions& options = options_of_rounds())
+      : mesh_(mesh),
+        options_(options),
+        frozen_(std::move(frozen)),
+        locked_(std::move(locked)),
+        log_(mesh.positions.size()) {
     WorkingSurface surface;
     surface.positions = mesh.positions;
     surface.faces = mesh.faces;
@@ -83,7 +88,7 @@ class InRounds {
 
  private:
   const IndexedMesh& mesh_;
-  DecimateOptions options_ = options_of_rounds();
+  DecimateOptions options_;
   std::vector<std::uint8_t> frozen_, locked_;
   std::vector<Contraction> log_;
   ContractionLog end_of_log_{log_.data()};
@@ -142,6 +147,32 @@ IndexedMesh noisy_texture(IndexedMesh mesh) {
   return mesh;
 }
 
+/// Six rounds. \return faces left
+std::size_t expect_rounds_by_definition(const IndexedMesh& mesh, const DecimateOptions& options, double slack) {
+  IndexedMesh before = mesh;
+  SurfaceAttributes attributes = attributes_of(mesh);
+  BruteForceAttributes expected_attributes(mesh, Frame{}, options);
+  for (int round = 0; round < 6; ++round) {
+    InRounds in_rounds(before, {}, {}, attributes, options);
+    in_rounds.rounds().begin_round();
+    const RoundLimit limit = limit_of(in_rounds.rounds(), before.positions.size() / 4, slack);
+    in_rounds.rounds().contract(limit);
+    const std::vector<NaiveContraction> expected =
+        naive_round(before, options, mean_area(before), limit, expected_attributes);
+    EXPECT_EQ(in_rounds.made().size(), expected.size());
+    for (std::size_t i = 0; i < std::min(expected.size(), in_rounds.made().size()); ++i) {
+      const Contraction& made = in_rounds.made()[i];
+      EXPECT_EQ(made.survivor, expected[i].survivor) << "contraction " << i;
+      EXPECT_EQ(made.removed, expected[i].removed) << "contraction " << i;
+      EXPECT_LT((made.position - expected[i].position).norm(), 1e-9) << "contraction " << i;
+      if (::testing::Test::HasFailure()) return before.faces.size();
+    }
+    before = in_rounds.result();
+    attributes = in_rounds.attributes();
+  }
+  return before.faces.size();
+}
+
 TEST(Rounds, ContractWhatTheDefinitionSays) {
   for (const auto& [name, mesh] :
        {NamedMesh{"textured_torus", noisy_texture(textured_torus(24, 12))},
@@ -152,28 +183,27 @@ TEST(Rounds, ContractWhatTheDefinitionSays) {
         NamedMesh{"needles", flattened(noisy_sphere(3, 0.1, 5), 0.01)}}) {
     for (const double slack : {1.0, 3.0, 1e9}) {
       SCOPED_TRACE(name + ", slack " + std::to_string(slack));
-      IndexedMesh before = mesh;
-      SurfaceAttributes attributes = attributes_of(mesh);
-      BruteForceAttributes expected_attributes(mesh, Frame{}, options_of_rounds());
-      for (int round = 0; round < 6; ++round) {
-        InRounds in_rounds(before, {}, {}, attributes);
-        in_rounds.rounds().begin_round();
-        const RoundLimit limit = limit_of(in_rounds.rounds(), before.positions.size() / 4, slack);
-        in_rounds.rounds().contract(limit);
-        const std::vector<NaiveContraction> expected =
-            naive_round(before, mean_area(before), limit, expected_attributes);
-        ASSERT_EQ(in_rounds.made().size(), expected.size());
-        for (std::size_t i = 0; i < expected.size(); ++i) {
-          const Contraction& made = in_rounds.made()[i];
-          ASSERT_EQ(made.survivor, expected[i].survivor) << "contraction " << i;
-          ASSERT_EQ(made.removed, expected[i].removed) << "contraction " << i;
-          ASSERT_LT((made.position - expected[i].position).norm(), 1e-9) << "contraction " << i;
-        }
-        before = in_rounds.result();
-        attributes = in_rounds.attributes();
-      }
+      const std::size_t n_faces = expect_rounds_by_definition(mesh, options_of_rounds(), slack);
       const bool needs_all_edges = name == "csaszar_torus";
-      EXPECT_EQ(before.faces.size() < mesh.faces.size(), !needs_all_edges);
+      EXPECT_EQ(n_faces < mesh.faces.size(), !needs_all_edges);
+    }
+  }
+}
+
+TEST(Rounds, ContractWhatPlacementAndValencesAskFor) {
+  for (const auto& [name, mesh] :
+       {NamedMesh{"blob", blob(3, 7)}, NamedMesh{"noisy_torus", noisy_torus(24, 10, 1, 0.35, 0.05, 2)},
+        NamedMesh{"knot", knot(80, 6)}, NamedMesh{"colored", colored(blob(3, 2))},
+        NamedMesh{"tiled_torus", noisy_texture(tiled_torus(24, 12, 6))}}) {
+    for (const Placement placement : {Placement::optimal, Placement::midpoint, Placement::endpoint}) {
+      for (const double weight : {0.0, 0.5, 5.0}) {
+        SCOPED_TRACE(name + ", placement " + std::to_string(static_cast<int>(placement)) + ", valence " +
+                     std::to_string(weight));
+        DecimateOptions options = options_of_rounds();
+        options.quadric.placement = placement;
+        options.valence_weight = weight;
+        EXPECT_LT(expect_rounds_by_definition(mesh, options, 3), mesh.faces.size());
+      }
     }
   }
 }
@@ -397,20 +427,22 @@ TEST(PairCosts, AreTheSameAmongOthersAsAlone) {
     for (Index v = 0; v < points.size(); ++v) {
       stars.push_back(planes_of_star(v, in_rounds.star(v), points, {}));
     }
-    const PairCosts costs(points, stars, mean_area(mesh).first());
     std::vector<VertexPair> pairs;
     for (const Triangle& face : mesh.faces) pairs.push_back({std::min(face[0], face[1]), std::max(face[0], face[1])});
     pairs.pop_back();  // no multiple of the lanes
     std::vector<float> ranks(pairs.size());
-    costs.rank(pairs, ranks);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      EXPECT_EQ(ranks[i], CostCounts::in_range(costs.of(pairs[i]).cost));
-    }
     const AttributeQuadrics attributes(attributes_of(mesh), points.size());
-    if (!attributes.any()) continue;
-    costs.rank(pairs, attributes, ranks);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      EXPECT_EQ(ranks[i], CostCounts::in_range(costs.of(pairs[i], attributes).cost));
+    for (const Placement placement : {Placement::optimal, Placement::midpoint, Placement::endpoint}) {
+      const PairCosts costs(points, stars, mean_area(mesh).first(), placement);
+      costs.rank(pairs, ranks);
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        EXPECT_EQ(ranks[i], CostCounts::in_range(costs.of(pairs[i]).cost));
+      }
+      if (!attributes.any()) continue;
+      costs.rank(pairs, attributes, ranks);
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        EXPECT_EQ(ranks[i], CostCounts::in_range(costs.of(pairs[i], attributes).cost));
+      }
     }
   }
 }
