@@ -59,6 +59,16 @@ std::vector<Recipe> recipes_of_options() {
   };
 }
 
+/// Those of them that go in rounds where a mesh is large.
+std::vector<Recipe> recipes_of_rounds() {
+  std::vector<Recipe> recipes = recipes_of_options();
+  std::erase_if(recipes, [](const Recipe& recipe) {
+    return recipe.name != "valence" && recipe.name != "endpoint" && recipe.name != "radius-ratio" &&
+           recipe.name != "locked-border";
+  });
+  return recipes;
+}
+
 class List {
  public:
   template <class Mesh>
@@ -97,6 +107,8 @@ std::vector<Case> cases(const std::filesystem::path& data) {
   // Large enough for blocks and rounds, with a border and closed, and with attributes.
   list.add("large_hills", [] { return hills(272); }, {fast, normal});
   list.add("large_rough_cube", [] { return rough_cube(112); }, {fast, best});
+  list.add(
+      "large_hills", [] { return hills(272); }, recipes_of_rounds());
   list.add("large_painted_hills", [] { return painted(hills(272)); }, {fast, normal});
   list.add(
       "two_cubes", [] { return two_cubes(12); }, recipes_of_options());
