@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <thread>
+#include <tuple>
 
 #include "decimate/run.hh"
 #include "support/shapes/shapes.hh"
@@ -277,18 +278,6 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
   EXPECT_EQ(why_not_in_blocks(far_flung, target, plain_quadrics(2), nullptr, small_blocks, false),
             "rounding may decide the order");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.isotropy = 0.5; }), "the cost has a term for edge lengths");
-  const auto valences = [](DecimateOptions& o) { o.valence_weight = 1; };
-  const auto endpoints = [](DecimateOptions& o) { o.quadric.placement = Placement::endpoint; };
-  EXPECT_EQ(quadric(valences), "the cost has a term for valences");
-  EXPECT_EQ(quadric(endpoints), "vertices stay where they are");
-  EXPECT_EQ(reason(valences, target), "");
-  EXPECT_EQ(reason(endpoints, target), "");
-  DecimateOptions limited = memoryless();
-  const StageLimits limits{.displacement = 0.1};
-  EXPECT_EQ(why_not_in_blocks(mesh, target, limited, nullptr, small_blocks, false, limits), "");
-  valences(limited);
-  EXPECT_EQ(why_not_in_blocks(mesh, target, limited, nullptr, small_blocks, false, limits),
-            "the cost has a term for valences");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.listener = [](const Contraction&) {}; }),
             "contractions are told in exact order");
   BlockPlan in_detail = small_blocks;
@@ -307,6 +296,23 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
             "the topology may change");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.feature_angle_deg = 40; }, target), "feature lines are kept");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.refuse_intersections = true; }, target), "intersections are refused");
+}
+
+TEST(Blocks, TakeValencesAndPlacementsInRoundsAlone) {
+  const IndexedMesh mesh = blob(3, 1);
+  for (const auto& [weight, placement, why] : {std::tuple(1.0, Placement::optimal, "the cost has a term for valences"),
+                                               std::tuple(0.0, Placement::endpoint, "vertices stay where they are"),
+                                               std::tuple(0.0, Placement::midpoint, "vertices stay where they are"),
+                                               std::tuple(0.0, Placement::optimal, "")}) {
+    const auto reason = [&mesh, w = weight, p = placement](DecimateOptions options, const StageLimits& limits) {
+      options.valence_weight = w;
+      options.quadric.placement = p;
+      return why_not_in_blocks(mesh, DecimateTarget::faces(200), options, nullptr, small_blocks, false, limits);
+    };
+    EXPECT_EQ(reason(memoryless(), {}), "");
+    EXPECT_EQ(reason(memoryless(), {.displacement = 0.1}), why);
+    EXPECT_EQ(reason(plain_quadrics(2), {}), why);
+  }
 }
 
 TEST(Blocks, LeaveAMeshThatIsMostlyNotManifold) {
