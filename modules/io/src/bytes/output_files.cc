@@ -6,6 +6,7 @@
 #include <ostream>
 #include <system_error>
 
+#include "bytes/system_file.hh"
 #include "whittle/io/path_of.hh"
 
 namespace whittle::io {
