@@ -8,6 +8,7 @@
 #include "files/report.hh"
 #include "system/system.hh"
 #include "terminal/table.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/progress.hh"
 

@@ -15,6 +15,7 @@
 #include "system/system.hh"
 #include "terminal/interruption.hh"
 #include "terminal/table.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/progress.hh"
 #include "whittle/pipeline/new_intersections.hh"

@@ -17,6 +17,7 @@
 #include "terminal/point_text.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/table.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/progress.hh"
 #include "whittle/metrics/attribute_deviation.hh"

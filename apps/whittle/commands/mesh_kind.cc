@@ -7,6 +7,7 @@
 #include "terminal/table.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/core/two_sided.hh"

@@ -12,6 +12,7 @@
 #include "terminal/interruption.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/table.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/progress.hh"
 #include "whittle/core/wedges.hh"

@@ -15,6 +15,7 @@
 #include "terminal/table.hh"
 #include "whittle/core/detail/cores.hh"
 #include "whittle/core/flat_arrays.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/progress.hh"
 #include "whittle/io/errors.hh"

@@ -62,14 +62,6 @@ ExitCode check_and_run(const CLI::App& app, const OptionRows& rows, const std::f
   return run(given);
 }
 
-struct ToJson {
-  nlohmann::ordered_json operator()(std::monostate) const { return nullptr; }
-  template <class T>
-  nlohmann::ordered_json operator()(const T& value) const {
-    return value;
-  }
-};
-
 }  // namespace
 
 void add_subcommand(CLI::App& app, const SubcommandText& text, OptionRows rows,
@@ -82,15 +74,6 @@ void add_subcommand(CLI::App& app, const SubcommandText& text, OptionRows rows,
   sub->callback([sub, rows = std::move(rows), run = std::move(run), &command] {
     command = [sub, &rows, &run] { return check_and_run(*sub, rows, run); };
   });
-}
-
-nlohmann::ordered_json options_json(const OptionRows& rows) {
-  nlohmann::ordered_json json;
-  for (const OptionRow& row : rows) {
-    if (row.key.empty()) continue;
-    json[row.key] = std::visit(ToJson{}, row.reported ? row.reported() : row.access.get());
-  }
-  return json;
 }
 
 void refuse_values_of_flags(CLI::App& app) {

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -45,9 +44,6 @@ void add_subcommand(CLI::App& app, const SubcommandText& text, const Options& de
   add_subcommand(
       app, text, rows_of(*options), [options, run](const Given& given) { return run(given, *options); }, command);
 }
-
-/// The values of the rows that have a key.
-nlohmann::ordered_json options_json(const OptionRows& rows);
 
 /// Makes "--quiet=3" an error: CLI11 gives flags such values otherwise.
 void refuse_values_of_flags(CLI::App& app);

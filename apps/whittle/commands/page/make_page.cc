@@ -16,6 +16,7 @@
 #include "commands/recording/recording_input.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/table.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/geometry/triangle_tree.hh"
 #include "whittle/core/progress.hh"

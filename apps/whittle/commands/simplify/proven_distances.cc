@@ -8,12 +8,6 @@
 namespace whittle::app {
 namespace {
 
-void add_distances(Json& json, const metrics::LargestDistances& largest, double diagonal) {
-  add_length(json, "proven", proven_distance(largest), diagonal);
-  json["forward"] = largest_json(largest.forward, diagonal);
-  json["backward"] = largest_json(largest.backward, diagonal);
-}
-
 /// "asked: at most 0.1 (0.5 %) off, borders 0.05 (0.25 %)"
 std::string asked_line(const DistancesAsWritten& distances, const DecimateTarget& target, double diagonal) {
   std::string line = "asked: at most " + length_text_rounded_up(*target.error_limit(), diagonal) + " off";
@@ -49,15 +43,6 @@ std::string border_line(const std::string& from, const std::string& to, const me
 }
 
 }  // namespace
-
-Json max_error_json(const DistancesAsWritten& distances, const DecimateTarget& target, double diagonal) {
-  Json json;
-  json["asked"] = target.error_limit() ? Json(*target.error_limit()) : Json(nullptr);
-  add_distances(json, distances.surface, diagonal);
-  json["borders"] = nullptr;
-  if (distances.borders) add_distances(json["borders"], *distances.borders, diagonal);
-  return json;
-}
 
 std::vector<std::string> distance_lines(const DistancesAsWritten& distances, const DecimateTarget& target,
                                         const NamesOfRun& names) {

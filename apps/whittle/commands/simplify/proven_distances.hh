@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "files/report.hh"
 #include "whittle/pipeline/run.hh"
 
-// The proven distances of a run, in messages and in the report.
+// The proven distances of a run, in messages.
 
 namespace whittle::app {
 
@@ -16,9 +15,6 @@ struct NamesOfRun {
   std::string output;
   double diagonal = 0;  ///< of the input's bounding box
 };
-
-/// Key `max_error`, without `certificate_bytes`.
-Json max_error_json(const DistancesAsWritten& distances, const DecimateTarget& target, double diagonal);
 
 /// The request, and a line for each way, of the surface and of the borders: the proven distance and the farthest point.
 std::vector<std::string> distance_lines(const DistancesAsWritten& distances, const DecimateTarget& target,

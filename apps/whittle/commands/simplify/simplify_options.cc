@@ -12,6 +12,7 @@
 #include "files/output.hh"
 #include "openmesh/openmesh_engine.hh"
 #include "terminal/errors.hh"
+#include "whittle/pipeline/json.hh"
 #include "whittle/pipeline/plan.hh"
 
 namespace whittle::app {
