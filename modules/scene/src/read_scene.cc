@@ -41,6 +41,16 @@ double weld_gaps(io::ReadResult& read, const AutomaticLength& tolerance, unsigne
   return length;
 }
 
+/// What is done with every scene. \pre it has its path and its name
+void finish(Scene& scene, const SceneReadOptions& options) {
+  if (scene.read.mesh.faces.empty() && !options.takes_no_triangles) {
+    throw io::ReadError(scene.name, why_no_faces(scene.read));
+  }
+  refuse_large_coordinates(scene.read.mesh, scene.name);
+  scene.weld_tolerance = weld_gaps(scene.read, options.weld_tolerance, options.threads);
+  for (const std::string& warning : scene.read.warnings) scene.warnings.push_back(about(scene.name, warning));
+}
+
 }  // namespace
 
 SceneFile::SceneFile(std::string path, const SceneFormat* format)
@@ -54,15 +64,22 @@ Scene SceneFile::read(const SceneReadOptions& options) const {
   const SceneFormat& format =
       format_ != nullptr ? *format_ : *scene_formats().front();  // its reader reports the problem
   Scene scene = format.read(*this, options);
-  if (scene.read.mesh.faces.empty() && !options.takes_no_triangles) {
-    throw io::ReadError(name(), why_no_faces(scene.read));
-  }
-  refuse_large_coordinates(scene.read.mesh, name());
   scene.path = path_;
   scene.name = name();
   scene.mesh_name = io::path_of(path_).filename().stem().string();
-  scene.weld_tolerance = weld_gaps(scene.read, options.weld_tolerance, options.threads);
-  for (const std::string& warning : scene.read.warnings) scene.warnings.push_back(about(scene.name, warning));
+  finish(scene, options);
+  return scene;
+}
+
+Scene scene_of(IndexedMesh mesh, const std::string& name, std::vector<double> tolerances,
+               const SceneReadOptions& options) {
+  Scene scene;
+  scene.name = scene.mesh_name = name;
+  scene.read = io::take_mesh(std::move(mesh), name,
+                             {.weld = options.weld, .threads = options.threads, .attributes = options.attributes});
+  scene.read.tolerances = std::move(tolerances);
+  scene.format = &format_of(scene.read.format);
+  finish(scene, options);
   return scene;
 }
 

@@ -1,6 +1,8 @@
 #include "whittle/io/read.hh"
 
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "bytes/file_bytes.hh"
 #include "bytes/gzip.hh"
@@ -78,6 +80,18 @@ ReadResult read_mesh(std::span<const char> bytes, std::string_view name, const R
   const Format format = choose_format(name, options);
   ReadResult result = parse(std::string_view(bytes.data(), bytes.size()), name, format, options);
   finish(result, name, options, format);
+  return result;
+}
+
+ReadResult take_mesh(IndexedMesh mesh, std::string_view name, const ReadOptions& options) {
+  if (mesh.faces.empty()) throw ReadError(std::string(name), "there are no faces");
+  ReadResult result;
+  result.file_vertices = mesh.positions.size();
+  result.file_faces = mesh.faces.size();
+  mesh.origins.resize(mesh.positions.size());
+  std::iota(mesh.origins.begin(), mesh.origins.end(), Index{0});
+  result.mesh = std::move(mesh);
+  finish(result, name, options, Format::ply);
   return result;
 }
 

@@ -63,6 +63,12 @@ ReadResult read_mesh(const std::filesystem::path& path, const ReadOptions& optio
 /// \param name for messages. Its extension gives the format if `options.format` is empty.
 ReadResult read_mesh(std::span<const char> bytes, std::string_view name, const ReadOptions& options = {});
 
+/// A mesh in memory, as if it had been read: with all repairs. Its format is PLY, which keeps every attribute.
+/// \param mesh with finite positions, corners below V, and arrays that are empty or full; it has no origins yet
+/// \param name for messages
+/// \throw ReadError if it has no faces, or none is left after repairs
+ReadResult take_mesh(IndexedMesh mesh, std::string_view name, const ReadOptions& options = {});
+
 /// Reads an open file descriptor, such as standard input (0), up to its end, for the overload above.
 /// \param name for messages. \throw ReadError if reading fails.
 std::vector<char> read_all(int descriptor, std::string_view name);

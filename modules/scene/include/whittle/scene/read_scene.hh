@@ -36,6 +36,12 @@ class SceneFile {
   std::vector<char> content_;
 };
 
+/// A scene of a mesh in memory, repaired and welded as one of a file. It has no path.
+/// \param mesh as for `io::take_mesh` \param tolerances V; or empty
+/// \throw as `SceneFile::read`
+Scene scene_of(IndexedMesh mesh, const std::string& name, std::vector<double> tolerances,
+               const SceneReadOptions& options = {});
+
 /// Reads a scene from a file, repairs it (`io::repair`) and welds it. \throw as `SceneFile`
 Scene read_scene(const std::string& path, const SceneReadOptions& options = {});
 
