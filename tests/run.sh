@@ -33,11 +33,18 @@ configure_by() {
   CXXFLAGS="${CXXFLAGS:-} $1" LDFLAGS="${LDFLAGS:-} $linker" \
     quietly "$logs/configure-$2.log" cmake --preset "$3" -B "build/$2" "${cached[@]}" "${@:4}"
 }
-configure_release() { configure_by "$for_gcc" release release -DWHITTLE_UNITY_TESTS=ON; }
+configure_release() { configure_by "$for_gcc" release release -DWHITTLE_UNITY_TESTS=ON "$@"; }
 configure_clang() {
   configure_by "$for_clang" "$@" -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0
 }
 build() { quietly "$logs/build-$1.log" cmake --build "build/$1" --parallel "$jobs"; }
+
+# The environment in which the Python package is built and tested: build/python-env. It fails where PyPI isn't reached.
+make_python_env() {
+  local pip=build/python-env/bin/pip
+  python3 -m venv build/python-env &&
+    "$pip" install --quiet --disable-pip-version-check -r tests/python/requirements.txt
+}
 
 check_format() {
   git ls-files -z '*.hh' '*.cc' | xargs -0 clang-format-14 --dry-run -Werror
@@ -83,8 +90,10 @@ started=$SECONDS
 step() { say "[$(((SECONDS - started) / 60)) min] $*"; }
 
 packages=("${build_packages[@]}" git mold)
+with_python=(-DWHITTLE_PYTHON=OFF)
 if [ "$mode" = whole ]; then
-  packages+=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen cmark-gfm groff-base pkg-config chromium)
+  packages+=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen cmark-gfm groff-base pkg-config chromium
+    python3-dev python3-venv)
 fi
 install_packages "$logs/packages.log" "${packages[@]}"
 install_npm "$logs/npm-packages.log"
@@ -99,12 +108,21 @@ mkdir -p build/npm
 cp tests/npm/package.json build/npm/
 quietly "$logs/npm.log" npm install --prefix build/npm --no-package-lock --no-audit --no-fund
 
+step "Python: what its package and the tests take, from PyPI"
+if make_python_env >"$logs/python.log" 2>&1; then
+  with_python=(-DWHITTLE_PYTHON=ON -DPython_EXECUTABLE="$PWD/build/python-env/bin/python")
+  build/python-env/bin/pip install --quiet --disable-pip-version-check -r tests/python/libraries.txt >>"$logs/python.log" 2>&1 ||
+    say "skipped: the meshes of other Python libraries, as PyPI doesn't give all of them ($logs/python.log)"
+else
+  say "skipped: the Python package, as PyPI isn't reached ($logs/python.log)"
+fi
+
 step "Format: clang-format on every tracked .hh and .cc"
 quietly "$logs/format.log" check_format
 
 # The modules and the program as users build them.
 step "GCC: building everything optimised, warnings are errors"
-configure_release
+configure_release "${with_python[@]}"
 build release
 
 step "Doxygen: the site of pages and reference, warnings are errors"
