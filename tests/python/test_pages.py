@@ -7,8 +7,11 @@ from pathlib import Path
 
 import pytest
 
-page = Path(os.environ["WHITTLE_SOURCE_DIR"]) / "docs" / "user" / "python.md"
-blocks = re.findall(r"```python\n(.*?)```", page.read_text(), re.DOTALL)
+source = Path(os.environ["WHITTLE_SOURCE_DIR"])
+
+
+def blocks_of(page):
+    return re.findall(r"```python\n(.*?)```", (source / page).read_text(), re.DOTALL)
 
 
 def libraries_of(block):
@@ -18,6 +21,7 @@ def libraries_of(block):
 @pytest.mark.filterwarnings("error::UserWarning")
 def test_examples(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
+    blocks = blocks_of("docs/user/python.md")
     assert len(blocks) >= 8
     names = {}
     missing = set()
@@ -25,6 +29,13 @@ def test_examples(tmp_path, monkeypatch):
         lacks = {name for name in libraries_of(block) if importlib.util.find_spec(name) is None}
         missing |= lacks
         if not lacks:
-            exec(compile(block, str(page), "exec"), names)
+            exec(compile(block, "python.md", "exec"), names)
     if missing:
         pytest.skip(f"not all examples ran: without {', '.join(sorted(missing))}")
+
+
+def test_example_of_the_readme(monkeypatch, capsys):
+    monkeypatch.chdir(source / "data")
+    (block,) = blocks_of("README.md")
+    exec(compile(block, "README.md", "exec"), {})
+    assert capsys.readouterr().out.startswith("5120 ")

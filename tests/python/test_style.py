@@ -45,5 +45,6 @@ def test_style():
     ruff = shutil.which("ruff", path=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
     if ruff is None:
         pytest.skip("ruff is not there")
-    run(ruff, "check", "--no-cache", "modules/python", "tests/python")
-    run(ruff, "format", "--no-cache", "--check", "modules/python", "tests/python")
+    checked = ["modules/python", "tests/python", "tests/blender", "tests/bench", "apps/blender", "docs/notebooks"]
+    run(ruff, "check", "--no-cache", *checked)
+    run(ruff, "format", "--no-cache", "--check", *checked)

@@ -43,9 +43,9 @@ OPTIONS: dict[str, Option] = _options()
 
 
 def as_text(value: Any) -> str:
-    """A value as on the command line: 0.5 → "0.5", ["a", "b"] → "a,b"."""
+    """A value as on the command line: 0.5 → "0.5", ["a", "b"] → "a,b", [] → "none"."""
     if isinstance(value, (list, tuple, set)):
-        return ",".join(as_text(v) for v in value)
+        return ",".join(as_text(v) for v in value) or "none"
     if isinstance(value, dict):
         return ",".join(f"{key}={as_text(v)}" for key, v in value.items())
     if isinstance(value, bool):
