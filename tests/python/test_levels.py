@@ -65,3 +65,19 @@ def test_geomorphs(mesh, tmp_path):
     assert np.allclose(morph.at(0.5).points, middle)
     morph.write(tmp_path / "morph.glb")
     assert len(whittle.read(tmp_path / "morph.glb").faces) == len(morph.at(0).faces)
+
+
+def test_pages(mesh, tmp_path):
+    result = whittle.simplify(*mesh, faces_left=100)
+    try:
+        page = whittle.report(mesh, result)
+    except RuntimeError as problem:
+        pytest.skip(str(problem))  # the program is built without pages
+    page.save(tmp_path / "page.html")
+    text = (tmp_path / "page.html").read_text(encoding="utf-8")
+    assert text.lstrip().lower().startswith("<!doctype html>")
+    assert "original" in text
+    assert page._repr_html_().startswith("<iframe")
+    assert len(whittle.report(whittle.record(*mesh, faces_left=100)).text) > 1000
+    with pytest.raises(RuntimeError):
+        whittle.report(tmp_path / "none.ply")

@@ -18,12 +18,14 @@ from ._levels import Geomorph, Recording, geomorph, lod, record
 from ._measure import Verification, certificate, certify, info, measure, verify
 from ._mesh import Mesh, read, write
 from ._options import OPTIONS
+from ._report import Page, report
 from ._simplify import Result, simplify
 
 __all__ = [
     "OPTIONS",
     "Geomorph",
     "Mesh",
+    "Page",
     "ReadError",
     "Recording",
     "RecordingError",
@@ -40,6 +42,7 @@ __all__ = [
     "measure",
     "read",
     "record",
+    "report",
     "simplify",
     "verify",
     "write",

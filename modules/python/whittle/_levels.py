@@ -115,7 +115,8 @@ def record(mesh: Any, faces: Any = None, **options: Any) -> Recording:
     (4, 2)
     """
     result = simplify(mesh, faces, record=True, as_result=True, **options)
-    return Recording(result._core.recording)
+    assert result.recording is not None  # as it was asked for
+    return Recording(result.recording)
 
 
 def geomorph(recording: Recording, *, fine: int, coarse: int) -> Geomorph:

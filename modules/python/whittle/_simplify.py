@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,41 +20,43 @@ from ._progress import told
 class Result(Mesh):
     """A simplified mesh, and what is known of it."""
 
-    _core: _core.Result
+    @property
+    def _run(self) -> _core.Result:
+        return cast("_core.Result", self._core)
 
     @property
     def report(self) -> dict[str, Any]:
         """What the program writes with `--json`: docs/user/simplify.md has the keys."""
-        return json.loads(self._core.report)
+        return json.loads(self._run.report)
 
     @property
     def warnings(self) -> list[str]:
-        return self._core.warnings
+        return self._run.warnings
 
     @property
     def met(self) -> bool:
         """Whether the number of faces or vertices that was asked for is reached."""
-        return self._core.met
+        return self._run.met
 
     @property
     def vertex_map(self) -> NDArray[np.int64]:
         """For each point that was given, its point here; -1 if no face had it."""
-        return self._core.vertex_map
+        return self._run.vertex_map
 
     @property
     def face_origins(self) -> NDArray[np.int64]:
         """For each face, the face that it was, among those after repairs."""
-        return self._core.face_origins
+        return self._run.face_origins
 
     @property
     def certificate(self) -> bytes:
         """The steps of the proof, if they were asked for: `verify` checks them."""
-        return self._core.certificate
+        return self._run.certificate
 
     @property
     def recording(self) -> bytes | None:
         """The steps of the run, if they were asked for: `Recording` has its levels."""
-        return self._core.recording
+        return self._run.recording
 
 
 def _wishes(

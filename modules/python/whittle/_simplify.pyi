@@ -6,13 +6,11 @@ from typing import Any, Literal, TypeVar, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core
 from ._mesh import Mesh
 
 _Given = TypeVar("_Given")
 
 class Result(Mesh):
-    _core: _core.Result
     @property
     def report(self) -> dict[str, Any]: ...
     @property
