@@ -106,13 +106,6 @@ def simplified(given: Any, options: dict[str, Any], keeps_uvs: bool) -> Any:
     return whittle.simplify(mesh, categories=[], **options)
 
 
-def _first_rows(result: Any) -> Any:
-    """For each point a row of its attributes."""
-    first = np.zeros(len(result.points), dtype=np.int64)
-    first[result.faces.ravel()[::-1]] = result.corners.ravel()[::-1]
-    return first
-
-
 def _new_mesh(given: Any, result: Any, keeps_uvs: bool) -> Any:
     before = given.data
     mesh = bpy.data.meshes.new(before.name)
@@ -128,12 +121,13 @@ def _new_mesh(given: Any, result: Any, keeps_uvs: bool) -> Any:
         layer = mesh.uv_layers.new(name=name)
         layer.data.foreach_set("uv", np.ascontiguousarray(values[corners], dtype=np.float32).ravel())
         layer.active_render = before.uv_layers[name].active_render
-    first = _first_rows(result)
+    first = result.first_rows
     for layer in before.color_attributes:
         values = result.attributes[COLORS + layer.name][first if layer.domain == "POINT" else corners]
         new = mesh.color_attributes.new(layer.name, layer.data_type, layer.domain)
         new.data.foreach_set("color", np.clip(values, 0, None).astype(np.float32).ravel())
-    mesh.use_auto_smooth = before.use_auto_smooth if hasattr(before, "use_auto_smooth") else False
+    if hasattr(before, "use_auto_smooth"):  # before 4.1
+        mesh.use_auto_smooth = before.use_auto_smooth
     mesh.update()
     return mesh
 
@@ -179,7 +173,7 @@ def replace_mesh(given: Any, result: Any, keeps_uvs: bool = True) -> None:
     keys = _settings_of_keys(given.data)
     groups = [(group.name, group.lock_weight) for group in given.vertex_groups]
     given.data = _new_mesh(given, result, keeps_uvs)
-    first = _first_rows(result)
+    first = result.first_rows
     _set_groups(given, result, first, groups)
     if keys:
         _set_keys(given, result, first, keys)

@@ -52,14 +52,6 @@ std::string recording_of(const Plan& plan, const Outcome& outcome) {
   return std::move(out).str();
 }
 
-std::vector<std::string> all_warnings(const Plan& plan, const Outcome& outcome) {
-  std::vector<std::string> all = plan.scene.warnings;
-  all.insert(all.end(), plan.warnings.begin(), plan.warnings.end());
-  for (const RunWarning& warning : outcome.warnings) all.push_back(warning.text);
-  if (outcome.shortfall) all.push_back(shortfall_text(plan, outcome));
-  return all;
-}
-
 std::string report_of(const Plan& plan, const Outcome& outcome, const std::vector<std::string>& warnings) {
   Request request = plan.request;
   Json json = new_report();

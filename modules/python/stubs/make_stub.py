@@ -18,22 +18,6 @@ from numpy.typing import ArrayLike, NDArray
 from ._mesh import Mesh
 
 _Given = TypeVar("_Given")
-
-class Result(Mesh):
-    @property
-    def report(self) -> dict[str, Any]: ...
-    @property
-    def warnings(self) -> list[str]: ...
-    @property
-    def met(self) -> bool: ...
-    @property
-    def vertex_map(self) -> NDArray[np.int64]: ...
-    @property
-    def face_origins(self) -> NDArray[np.int64]: ...
-    @property
-    def certificate(self) -> bytes: ...
-    @property
-    def recording(self) -> bytes | None: ...
 """
 
 
@@ -50,6 +34,15 @@ def type_of(option: whittle._options.Option) -> str:
     if "NAME" in option.meta or "=" in option.meta:
         return "str | list[str] | Mapping[str, float]"
     return "float | str"
+
+
+def properties_of(described: type) -> str:
+    lines = [f"class {described.__name__}(Mesh):"]
+    for name, member in vars(described).items():
+        if isinstance(member, property) and member.fget is not None and not name.startswith("_"):
+            result = inspect.signature(member.fget).return_annotation
+            lines += ["    @property", f"    def {name}(self) -> {result}: ..."]
+    return "\n".join(lines) + "\n"
 
 
 def simplify(first: str, result: str) -> str:
@@ -77,6 +70,7 @@ def simplify(first: str, result: str) -> str:
 
 def main() -> None:
     print(FIXED)
+    print(properties_of(whittle.Result))
     print(simplify("    mesh: ArrayLike,\n    faces: ArrayLike,", "Result"), end="")
     print(simplify("    mesh: Mesh | str | PathLike[str],\n    faces: None = None,", "Result"), end="")
     print(simplify("    mesh: _Given,\n    faces: None = None,", "_Given"), end="")

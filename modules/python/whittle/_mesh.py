@@ -146,6 +146,13 @@ class Mesh:
         return self._core.faces if wedges is None else wedges
 
     @property
+    def first_rows(self) -> NDArray[np.int64]:
+        """(V,): for each point one of its rows in normals, colours and attributes, that of its first face."""
+        rows = np.zeros(len(self.points), dtype=np.int64)
+        rows[self.faces.ravel()[::-1]] = self.corners.ravel()[::-1]
+        return rows
+
+    @property
     def has_seams(self) -> bool:
         """Whether a vertex has several values of an attribute, as at the seams of a texture."""
         return self._core.wedges is not None

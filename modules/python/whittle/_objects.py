@@ -34,13 +34,6 @@ def _named(mesh: Mesh) -> dict[str, NDArray[Any]]:
     return {name: values for name, values in mesh.attributes.items() if values is not texture and name != "texcoords"}
 
 
-def _first_of_points(mesh: Mesh) -> NDArray[np.int64]:
-    """For each point a row in normals and colours, for libraries that have one of them for each."""
-    first = np.zeros(len(mesh.points), dtype=np.int64)
-    first[mesh.faces.ravel()[::-1]] = mesh.corners.ravel()[::-1]
-    return first
-
-
 class _Trimesh(Adapter):
     def mesh(self, threads: int) -> Mesh:
         mesh = self.given
@@ -188,7 +181,7 @@ class _Open3D(Adapter):
         mesh = type(self.given)()
         mesh.vertices = type(self.given.vertices)(np.asarray(result.points, dtype=np.float64))
         mesh.triangles = type(self.given.triangles)(result.faces.astype(np.int32))
-        first = _first_of_points(result)
+        first = result.first_rows
         if result.normals is not None:
             mesh.vertex_normals = type(self.given.vertex_normals)(result.normals[first].astype(np.float64))
         if result.colors is not None:
@@ -242,7 +235,7 @@ class _PyMeshLab(Adapter):
 
     def given_back(self, result: Mesh) -> Any:
         more: dict[str, Any] = {}
-        first = _first_of_points(result)
+        first = result.first_rows
         if result.colors is not None:
             more["v_color_matrix"] = result.colors[first].astype(np.float64)
         if "quality" in result.attributes:

@@ -111,4 +111,12 @@ std::vector<RunWarning> find_warnings(const Plan& plan, const Outcome& outcome) 
   return WarningFinder(plan, outcome).find();
 }
 
+std::vector<std::string> all_warnings(const Plan& plan, const Outcome& outcome) {
+  std::vector<std::string> all = plan.scene.warnings;
+  all.insert(all.end(), plan.warnings.begin(), plan.warnings.end());
+  for (const RunWarning& warning : outcome.warnings) all.push_back(warning.text);
+  if (outcome.shortfall) all.push_back(shortfall_text(plan, outcome));
+  return all;
+}
+
 }  // namespace whittle

@@ -14,10 +14,7 @@ SceneScope scope_for(const SceneFormat* output, bool keeps_attributes) {
 }
 
 std::vector<std::string> FileRun::warnings() const {
-  std::vector<std::string> all = plan.scene.warnings;
-  all.insert(all.end(), plan.warnings.begin(), plan.warnings.end());
-  for (const RunWarning& warning : outcome.warnings) all.push_back(warning.text);
-  if (outcome.shortfall) all.push_back(shortfall_text(plan, outcome));
+  std::vector<std::string> all = all_warnings(plan, outcome);
   all.insert(all.end(), messages.warnings.begin(), messages.warnings.end());
   return all;
 }

@@ -93,6 +93,9 @@ std::string shortfall_text(const Plan& plan, const Outcome& outcome);
 /// A sentence for regions, and one for charts, if there are any; without full stops.
 std::vector<std::string> texts_of(const Vanished& vanished);
 
+/// All warnings of a scene, a plan and its outcome, in the order in which they came up: a line each.
+std::vector<std::string> all_warnings(const Plan& plan, const Outcome& outcome);
+
 /// Simplifies a scene, and proves what is asked. A scene without faces stays as it is.
 /// \throw Cancelled if the observer ends it
 /// \throw std::runtime_error if a limit of the error can't be kept, not even by the scene as it is, or the steps of the
