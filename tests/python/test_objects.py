@@ -81,10 +81,11 @@ def test_pyvista_with_polygons(mesh):
     assert len(mesh) == 2
 
 
-def test_vtk(mesh):
+def test_vtk():
     pytest.importorskip("vtkmodules")
+    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
     from vtkmodules.vtkCommonDataModel import vtkPolyData
-    from vtkmodules.vtkFiltersSources import vtkSphereSource
+    from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 
     source = vtkSphereSource()
     source.SetThetaResolution(60)
@@ -93,11 +94,32 @@ def test_vtk(mesh):
     given = source.GetOutput()
     plain = vtkPolyData()
     plain.ShallowCopy(given)
+    points = vtk_to_numpy(plain.GetPoints().GetData())
+    for data, name, values in (
+        (plain.GetPointData(), "height", points[:, 2].copy()),
+        (plain.GetPointData(), "uv", points[:, :2].copy()),
+        (plain.GetCellData(), "part", np.arange(plain.GetNumberOfCells()) // 1200),
+    ):
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        data.AddArray(array)
+    plain.GetPointData().SetActiveTCoords("uv")
     result = whittle.simplify(plain, faces_left=200)
     assert type(result) is type(plain)
     assert 190 <= result.GetNumberOfCells() <= 200
-    assert result.GetPointData().GetArray("Normals").GetNumberOfTuples() == result.GetNumberOfPoints()
-    assert len(mesh) == 2
+    data = result.GetPointData()
+    points = vtk_to_numpy(result.GetPoints().GetData())
+    normals = vtk_to_numpy(data.GetNormals())
+    assert (np.sum(normals * points, axis=1) / np.linalg.norm(points, axis=1)).min() > 0.95
+    assert np.abs(vtk_to_numpy(data.GetArray("height")) - points[:, 2]).max() < 0.02
+    assert np.abs(vtk_to_numpy(data.GetTCoords()) - points[:, :2]).max() < 0.02
+    part = vtk_to_numpy(result.GetCellData().GetArray("part"))
+    assert part.dtype.kind == "i"
+    assert set(part) == set(range(plain.GetNumberOfCells() // 1200 + 1))
+    source = vtkCubeSource()  # of squares
+    source.Update()
+    with pytest.raises(ValueError, match="vtkTriangleFilter"):
+        whittle.simplify(source.GetOutput(), faces_left=4)
 
 
 def test_open3d(mesh, uv):
@@ -117,6 +139,29 @@ def test_open3d(mesh, uv):
     assert np.abs(np.asarray(result.triangle_uvs) - corners[:, :2]).max() < 0.02
     assert np.allclose(np.asarray(result.vertex_colors), [0.2, 0, 1], atol=1e-6)
     assert result.has_vertex_normals()
+
+
+def test_open3d_tensors(mesh, uv):
+    open3d = pytest.importorskip("open3d")
+    points, faces = mesh
+    tensor = open3d.core.Tensor
+    given = open3d.t.geometry.TriangleMesh(tensor(points), tensor(faces.astype(np.int64)))
+    result = whittle.simplify(given, **target)
+    assert isinstance(result, open3d.t.geometry.TriangleMesh)
+    assert np.array_equal(result.vertex.positions.numpy(), expected_of(mesh).points)
+    given.vertex["height"] = tensor(points[:, 2:].astype(np.float32))
+    given.vertex.colors = tensor(np.tile(np.array([51, 0, 255], dtype=np.uint8), (len(points), 1)))
+    given.triangle.texture_uvs = tensor(uv[faces].astype(np.float32))
+    given.triangle["part"] = tensor((points[faces].mean(axis=1)[:, 0] > 0.5).astype(np.int32))
+    given.compute_vertex_normals()
+    result = whittle.simplify(given, **target)
+    positions, indices = result.vertex.positions.numpy(), result.triangle.indices.numpy()
+    assert np.abs(result.triangle.texture_uvs.numpy() - positions[indices][:, :, :2]).max() < 0.02
+    assert np.array_equal(result.vertex.colors.numpy(), np.tile([51, 0, 255], (len(positions), 1)))
+    assert np.abs(result.vertex["height"].numpy()[:, 0] - positions[:, 2]).max() < 0.02
+    assert result.triangle["part"].dtype == open3d.core.int32
+    assert len(result.vertex.normals) == len(positions)
+    assert "normals" in result.vertex and "positions" in result.vertex
 
 
 def test_meshio(mesh):
@@ -143,6 +188,17 @@ def test_pymeshlab(mesh):
     assert isinstance(result, pymeshlab.Mesh)
     assert result.face_number() <= 300
     assert np.abs(result.vertex_scalar_array() - result.vertex_matrix()[:, 2]).max() < 0.02
+
+
+def test_polish_gives_back_what_it_was_given(mesh):
+    trimesh = pytest.importorskip("trimesh")
+    points, faces = mesh
+    small = whittle.simplify(points, faces, polish=0, **target)
+    given = trimesh.Trimesh(small.points, small.faces, process=False)
+    result = whittle.polish((points, faces), given)
+    assert isinstance(result, trimesh.Trimesh)
+    assert np.array_equal(result.faces, small.faces)
+    assert not np.array_equal(result.vertices, small.points)
 
 
 def test_what_is_no_mesh():

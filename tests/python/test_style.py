@@ -45,6 +45,14 @@ def test_style():
     ruff = shutil.which("ruff", path=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
     if ruff is None:
         pytest.skip("ruff is not there")
-    checked = ["modules/python", "tests/python", "tests/blender", "tests/bench", "apps/blender", "docs/notebooks"]
+    checked = [
+        "modules/python",
+        "tests/python",
+        "tests/blender",
+        "tests/bench",
+        "apps/blender",
+        "apps/paraview",
+        "docs/notebooks",
+    ]
     run(ruff, "check", "--no-cache", *checked)
     run(ruff, "format", "--no-cache", "--check", *checked)

@@ -18,10 +18,9 @@
 #include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/progress.hh"
-#include "whittle/pipeline/new_intersections.hh"
+#include "whittle/pipeline/levels.hh"
 #include "whittle/pipeline/request.hh"
 #include "whittle/pipeline/run.hh"
-#include "whittle/progressive/levels.hh"
 #include "whittle/scene/scene_document.hh"
 
 namespace whittle::app {
@@ -30,10 +29,7 @@ namespace {
 struct LodCommand {
   std::string input;
   std::string output;
-  std::vector<double> ratios;        ///< shares of the vertices
-  std::vector<double> face_ratios;   ///< shares of the faces
-  std::vector<std::uint64_t> faces;  ///< counts
-  std::vector<Length> errors;
+  LevelTargets targets;
   Effort effort = Effort::normal;
   Fit fit = Fit::balanced;
   FileOptions files;
@@ -42,9 +38,7 @@ struct LodCommand {
 };
 
 /// A level, and where it is written.
-struct LodLevel {
-  Simplification simplified;
-  std::optional<double> error;  ///< that is proven, model units
+struct LodLevel : Level {
   std::string path;
 };
 
@@ -75,16 +69,16 @@ Length parse_error(std::string_view text) {
 OptionRows level_rows(LodCommand& options) {
   return in_group(
       {{.names = "--ratios",
-        .access = list(options.ratios, "R,...", parse_ratio),
+        .access = list(options.targets.ratios, "R,...", parse_ratio),
         .help = "levels with these shares of the vertices: 0.5,0.25 or 50%,25%"},
        {.names = "--face-ratios",
-        .access = list(options.face_ratios, "R,...", parse_ratio),
+        .access = list(options.targets.face_ratios, "R,...", parse_ratio),
         .help = "levels with these shares of the faces"},
        {.names = "--faces",
-        .access = list(options.faces, "N,...", [](std::string_view text) { return parse_count(text); }),
+        .access = list(options.targets.faces, "N,...", [](std::string_view text) { return parse_count(text); }),
         .help = "levels with these numbers of faces"},
        {.names = "--errors",
-        .access = list(options.errors, "E,...", parse_error),
+        .access = list(options.targets.errors, "E,...", parse_error),
         .help = "levels of few faces that are proven to be within these distances of IN, and IN of them: model units, "
                 "or percentages of the diagonal such as 0.1%,0.5%"}},
       "Levels (one of these)");
@@ -111,35 +105,6 @@ OptionRows lod_rows(LodCommand& options) {
   return rows;
 }
 
-/// Counts in descending order, each once. \throw UsageError if the mesh doesn't have more
-std::vector<DecimateTarget> targets_of(const LodCommand& options, const LodRun& run) {
-  const IndexedMesh& mesh = run.input.read.mesh;
-  std::vector<std::uint64_t> counts = options.faces;
-  for (const double ratio : options.ratios) counts.push_back(share_of(ratio, mesh.positions.size()));
-  for (const double ratio : options.face_ratios) counts.push_back(share_of(ratio, mesh.faces.size()));
-  std::sort(counts.begin(), counts.end(), std::greater<>());
-  counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
-  std::vector<DecimateTarget> targets;
-  targets.reserve(counts.size());
-  for (const std::uint64_t n : counts) {
-    targets.push_back(options.ratios.empty() ? DecimateTarget::faces(n) : DecimateTarget::vertices(n));
-  }
-  if (!options.faces.empty() && counts.front() >= mesh.faces.size()) {
-    throw UsageError("--faces: " + run.input.name + " has " + faces_text(mesh.faces.size()) + ", and " +
-                     std::to_string(counts.front()) + " are asked");
-  }
-  return targets;
-}
-
-/// The errors in model units, ascending, each once.
-std::vector<double> errors_of(const LodCommand& options, const LodRun& run) {
-  std::vector<double> errors;
-  for (const Length& error : options.errors) errors.push_back(error.in_units(run.diagonal));
-  std::sort(errors.begin(), errors.end());
-  errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
-  return errors;
-}
-
 /// The path of level i: words in braces are replaced.
 std::string path_of(std::string path, std::size_t i, std::uint64_t n_faces, std::uint64_t n_vertices) {
   path = replaced(std::move(path), "{i}", std::to_string(i));
@@ -152,23 +117,19 @@ bool is_one_file(const LodCommand& options) {
   return path_of(options.output, 0, 1, 2) == options.output && writes_document(options.output, options.files);
 }
 
-std::vector<LodLevel> make_levels(const LodCommand& options, const LodRun& run, const SimplifyOptions& simplify) {
-  const IndexedMesh& mesh = run.input.read.mesh;
+/// \throw UsageError if the scene hasn't more faces than a number
+std::vector<LodLevel> levels_of(const LodCommand& options, const SimplifyOptions& simplify, LodRun& run) {
+  const SceneOutput output = output_of(path_of(options.output, 0, 1, 2), options.files);
+  const SceneReadOptions reading = read_options(options.files, options.common.threads);
   std::vector<LodLevel> levels;
-  if (options.errors.empty()) {
-    for (Simplification& level : simplify_to_levels(mesh, targets_of(options, run), options.effort, simplify)) {
-      levels.push_back({std::move(level), std::nullopt, {}});
-    }
-  } else {
-    const SceneOutput output = output_of(path_of(options.output, 0, 1, 2), options.files);
-    const auto to_file = [&](const IndexedMesh& level) {
-      return as_written(output, run.input, level, read_options(options.files, options.common.threads));
-    };
-    for (progressive::ProvenLevel& level :
-         progressive::levels_within(mesh, errors_of(options, run), options.effort, simplify, to_file)) {
-      const double error = level.error;
-      levels.push_back({std::move(level), error, {}});
-    }
+  try {
+    Levels made = make_levels(run.input, options.targets, options.effort, simplify, output, reading);
+    for (Level& level : made.levels) levels.push_back({std::move(level), {}});
+    run.warnings.insert(run.warnings.end(), made.warnings.begin(), made.warnings.end());
+  } catch (const std::invalid_argument& problem) {
+    throw UsageError("--faces: " + std::string(problem.what()));
+  } catch (const Cancelled&) {
+    // The signal that cancelled it is thrown by whoever waits for it.
   }
   return levels;
 }
@@ -213,9 +174,8 @@ Json lod_json(LodCommand& options, const LodRun& run, double total_seconds) {
 }
 
 void check(const LodCommand& options) {
-  const int n_given = int{!options.ratios.empty()} + int{!options.face_ratios.empty()} + int{!options.faces.empty()} +
-                      int{!options.errors.empty()};
-  if (n_given != 1) throw UsageError("one of --ratios, --face-ratios, --faces and --errors is needed, and only one");
+  if (options.targets.n_kinds() != 1)
+    throw UsageError("one of --ratios, --face-ratios, --faces and --errors is needed, and only one");
   if (path_of(options.output, 0, 1, 2) == options.output && !is_one_file(options)) {
     throw UsageError(
         "--output needs '{faces}', '{vertices}' or '{i}' in it, such as 'out_{faces}.ply', or has to be one glTF file");
@@ -266,36 +226,6 @@ void check_input(const LodCommand& options, const Scene& input) {
                    " has levels of detail already (MSFT_lod); use '{i}' in --output to write a file a level");
 }
 
-void warn_of_new_intersections(const LodCommand& options, const Talk& talk, LodRun& run) {
-  for (const LodLevel& level : run.levels) {
-    const NewIntersections found =
-        find_new_intersections(run.input.read.mesh, level.simplified, options.common.threads);
-    for (const std::string& text : {found.of_parts, found.of_walls}) {
-      if (text.empty()) continue;
-      run.warnings.push_back(run.input.name + ": at " + std::to_string(level.simplified.mesh.faces.size()) +
-                             " faces, " + text);
-      talk.warning(run.warnings.back());
-    }
-  }
-}
-
-/// A run that can't go on leaves levels out.
-void warn_of_missing_levels(const LodCommand& options, const Talk& talk, LodRun& run) {
-  if (!options.errors.empty()) return;
-  const std::size_t n_asked = targets_of(options, run).size();
-  const Decimation& last = run.levels.back().simplified;
-  const bool is_last_met = last.result.stop == StopReason::target;
-  if (run.levels.size() == n_asked && is_last_met) return;
-  const std::size_t n_met = run.levels.size() - (is_last_met ? 0 : 1);
-  const std::string reasons = reasons_at_end(last.result.refused_at_end);
-  run.warnings.push_back(
-      about(run.input.name,
-            counted(n_asked - n_met, "level", "levels") + " not reached: the last one has " +
-                faces_text(last.mesh.faces.size()) + ", and " +
-                (reasons.empty() ? "nothing is left that may be contracted" : "the pairs left are " + reasons)));
-  talk.warning(run.warnings.back());
-}
-
 ExitCode run_lod(const Given& /*given*/, LodCommand options) {
   options.files.scope = scope_for(path_of(options.output, 0, 1, 2), options.files);
   check(options);
@@ -307,18 +237,18 @@ ExitCode run_lod(const Given& /*given*/, LodCommand options) {
   run.warnings = run.input.warnings;
   run.diagonal = diagonal_of(bounds_of(run.input.read.mesh));
   const std::vector<std::uint8_t> held = held_borders(run.input, options.common.threads, talk, run.warnings);
+  const std::size_t n_told = run.warnings.size();
   const Stopwatch working;
   {
     StageBars bars(talk);
     const SignalsWait signals_wait;
     SimplifyOptions simplify = library_options(options, bars);
     simplify.decimate.locked = held;
-    run.levels = make_levels(options, run, simplify);
+    run.levels = levels_of(options, simplify, run);
     SignalsWait::throw_if_pending();
   }
+  for (std::size_t i = n_told; i < run.warnings.size(); ++i) talk.warning(run.warnings[i]);
   run.levels_seconds = working.seconds();
-  warn_of_missing_levels(options, talk, run);
-  warn_of_new_intersections(options, talk, run);
   name_levels(options, run);
   write_files(options, talk, watch, run);
   for (std::size_t i = 0; i < run.levels.size(); ++i) {

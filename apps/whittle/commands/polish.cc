@@ -15,9 +15,8 @@
 #include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/progress.hh"
-#include "whittle/core/wedges.hh"
-#include "whittle/metrics/nearest_vertices.hh"
-#include "whittle/pipeline/request.hh"
+#include "whittle/pipeline/json.hh"
+#include "whittle/pipeline/polish_to_reference.hh"
 
 namespace whittle::app {
 namespace {
@@ -94,33 +93,16 @@ void check(const PolishCommand& options) {
   check_outputs(outputs, {options.reference, options.input}, options.common.force);
 }
 
-/// Seams stay at the reference's seams. Different normals along them stay: they show creases.
-PolishOptions polish_options_of(const PolishCommand& options, const IndexedMesh& reference, const IndexedMesh& mesh) {
-  PolishOptions polish{.passes = options.passes, .fit = options.fit, .threads = options.common.threads};
-  polish.seams = seam_edges(mesh);
-  polish.original_seams = seam_edges(reference);
-  // A vertex keeps as many normals as it has.
-  polish.recompute_normals = mesh.wedges.empty();
-  polish.crease_angle_deg = 180;
-  return polish;
-}
-
 /// \throw Interrupted
 void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run) {
-  const IndexedMesh& reference = run.reference.read.mesh;
   run.mesh = run.input.read.mesh;
-  const std::vector<std::uint8_t> held = held_borders(run.input, options.common.threads, talk, run.warnings);
+  PolishRequest request{.passes = options.passes, .fit = options.fit, .threads = options.common.threads};
+  request.locked = held_borders(run.input, options.common.threads, talk, run.warnings);
   ProgressBar bar(talk, "polishing");
-  // On large meshes the search takes about as long as one pass.
-  const double search = 1.0 / (1 + options.passes);
+  request.progress = part_of(bar, 0, 1);
   const SignalsWait signals_wait;
   try {
-    const std::vector<Index> nearest =
-        metrics::nearest_vertices(reference, run.mesh, options.common.threads, part_of(bar, 0, search));
-    PolishOptions polish_options = polish_options_of(options, reference, run.mesh);
-    polish_options.locked = held;
-    polish_options.progress = part_of(bar, search, 1);
-    run.result = polish(reference, nearest, run.mesh, polish_options);
+    run.result = polish_to_reference(run.reference.read.mesh, run.mesh, request);
   } catch (const Cancelled&) {
     // The signal that cancelled the search is thrown below.
   }

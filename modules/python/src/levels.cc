@@ -1,15 +1,19 @@
 #include "levels.hh"
 
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "mesh.hh"
 #include "observer.hh"
+#include "whittle/pipeline/levels.hh"
+#include "whittle/pipeline/values.hh"
 #include "whittle/progressive/geomorph.hh"
 #include "whittle/progressive/recording.hh"
 #include "whittle/progressive/replay.hh"
@@ -18,36 +22,60 @@
 namespace whittle::python {
 namespace {
 
-/// A mesh of a scene's content.
-Mesh mesh_in(const Scene& scene, IndexedMesh mesh, bool is_float32) {
-  Mesh result{.scene = {}, .replaced = std::move(mesh), .is_float32 = is_float32};
-  result.scene.name = result.scene.mesh_name = scene.name;
-  result.scene.format = scene.format;
-  result.scene.read.notes = scene.read.notes;
+/// A level, and what is proven of it.
+struct Level : Mesh {
+  std::optional<double> error;  ///< model units
+};
+
+/// A level as a mesh of the scene, which is written with what else the scene has.
+Level level_in(const Scene& scene, whittle::Level level, bool is_float32) {
+  Level result;
+  result.scene = scene;
+  if (!scene.document) result.scene.read.mesh = {};
+  result.replaced = std::move(level.simplified.mesh);
+  result.is_float32 = is_float32;
+  result.error = level.error;
   return result;
 }
 
-/// \param n_faces descending
-std::vector<Mesh> levels(Scene scene, bool is_float32, const std::vector<std::uint64_t>& n_faces, const Wishes& wishes,
-                         nb::object progress) {
+std::vector<Length> lengths_of(const std::vector<std::string>& texts) {
+  std::vector<Length> lengths;
+  lengths.reserve(texts.size());
+  for (const std::string& text : texts) lengths.push_back(parse_length(text, "E"));
+  return lengths;
+}
+
+/// The target of the finest level, by which a plan settles what depends on one.
+Targets finest_of(const LevelTargets& levels) {
+  Targets targets;
+  if (!levels.faces.empty()) targets.faces = *std::max_element(levels.faces.begin(), levels.faces.end());
+  if (!levels.ratios.empty()) targets.ratio = *std::max_element(levels.ratios.begin(), levels.ratios.end());
+  if (!levels.face_ratios.empty()) {
+    targets.face_ratio = *std::max_element(levels.face_ratios.begin(), levels.face_ratios.end());
+  }
+  if (!levels.errors.empty()) targets.faces = 1;  // the run goes as far as it can
+  return targets;
+}
+
+/// \return the levels, and warnings
+std::pair<std::vector<Level>, std::vector<std::string>> levels(Scene scene, bool is_float32,
+                                                               const LevelTargets& targets, const Wishes& wishes,
+                                                               nb::object progress) {
   Request request = request_of(wishes);
-  request.targets.faces = n_faces.front();
-  set_options(wishes, request);
+  request.targets = finest_of(targets);
+  std::vector<std::string> warnings = set_options(wishes, request);
   Observer observer(std::move(progress));
   return observer.call([&] {
     const Plan settled = plan(std::move(scene), request);
     SimplifyOptions options = settled.options;
     options.pauses = std::nullopt;
     options.decimate.progress = [run = observer.of_run()](const Progress& p) { return run(run_progress(p)); };
-    std::vector<DecimateTarget> targets;
-    targets.reserve(n_faces.size());
-    for (const std::uint64_t n : n_faces) targets.push_back(DecimateTarget::faces(n));
-    std::vector<Mesh> meshes;
-    for (Simplification& level : simplify_to_levels(settled.scene.read.mesh, targets, request.effort, options)) {
-      meshes.push_back(mesh_in(settled.scene, std::move(level.mesh), is_float32));
-    }
-    observer.check();
-    return meshes;
+    Levels made = make_levels(settled.scene, targets, request.effort, options, request.output, request.reading);
+    std::vector<Level> meshes;
+    for (whittle::Level& level : made.levels) meshes.push_back(level_in(settled.scene, std::move(level), is_float32));
+    warnings.insert(warnings.end(), settled.warnings.begin(), settled.warnings.end());
+    warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
+    return std::pair(std::move(meshes), std::move(warnings));
   });
 }
 
@@ -89,13 +117,20 @@ class Recording {
 }  // namespace
 
 void bind_levels(nb::module_& module) {
+  nb::class_<Level, Mesh>(module, "Level").def_ro("error", &Level::error);
+  nb::class_<LevelTargets>(module, "LevelTargets")
+      .def(nb::init<>())
+      .def_rw("ratios", &LevelTargets::ratios)
+      .def_rw("face_ratios", &LevelTargets::face_ratios)
+      .def_rw("faces", &LevelTargets::faces)
+      .def("set_errors",
+           [](LevelTargets& targets, const std::vector<std::string>& texts) { targets.errors = lengths_of(texts); });
   module.def(
       "levels",
-      [](Mesh& mesh, bool is_used_up, const std::vector<std::uint64_t>& n_faces, const Wishes& wishes,
-         nb::object progress) {
-        return levels(scene_to_simplify(mesh, is_used_up), mesh.is_float32, n_faces, wishes, std::move(progress));
+      [](Mesh& mesh, bool is_used_up, const LevelTargets& targets, const Wishes& wishes, nb::object progress) {
+        return levels(scene_to_simplify(mesh, is_used_up), mesh.is_float32, targets, wishes, std::move(progress));
       },
-      nb::arg("mesh"), nb::arg("is_used_up"), nb::arg("n_faces"), nb::arg("wishes"), nb::arg("progress").none());
+      nb::arg("mesh"), nb::arg("is_used_up"), nb::arg("targets"), nb::arg("wishes"), nb::arg("progress").none());
   nb::class_<progressive::Geomorph>(module, "Geomorph")
       .def(
           "at", [](const progressive::Geomorph& morph, double share) { return Recording::mesh(morph.at(share)); },

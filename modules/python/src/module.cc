@@ -5,6 +5,7 @@
 #include "measure.hh"
 #include "mesh.hh"
 #include "options.hh"
+#include "polish.hh"
 #include "simplify.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/progressive/recording.hh"
@@ -25,4 +26,5 @@ NB_MODULE(_core, module) {
   whittle::python::bind_simplify(module);
   whittle::python::bind_levels(module);
   whittle::python::bind_measure(module);
+  whittle::python::bind_polish(module);
 }

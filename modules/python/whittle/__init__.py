@@ -14,18 +14,21 @@ True
 """
 
 from ._core import ReadError, RecordingError, UnsupportedMesh, WriteError, __version__
-from ._levels import Geomorph, Recording, geomorph, lod, record
+from ._levels import Geomorph, Level, Recording, geomorph, lod, record
 from ._measure import Verification, certificate, certify, info, measure, verify
 from ._mesh import Mesh, read, write
 from ._options import OPTIONS
+from ._polish import Polished, polish
 from ._report import Page, report
 from ._simplify import Result, simplify
 
 __all__ = [
     "OPTIONS",
     "Geomorph",
+    "Level",
     "Mesh",
     "Page",
+    "Polished",
     "ReadError",
     "Recording",
     "RecordingError",
@@ -40,6 +43,7 @@ __all__ = [
     "info",
     "lod",
     "measure",
+    "polish",
     "read",
     "record",
     "report",

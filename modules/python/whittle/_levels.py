@@ -5,27 +5,44 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from . import _core
-from ._mesh import Mesh
-from ._objects import as_mesh
-from ._options import given
+from ._libraries import as_mesh
+from ._mesh import Mesh, warn
+from ._options import OPTIONS, given
 from ._progress import told
 from ._simplify import simplify
 
-__all__ = ["Geomorph", "Recording", "geomorph", "lod", "record"]
+__all__ = ["Geomorph", "Level", "Recording", "geomorph", "lod", "record"]
+
+
+class Level(Mesh):
+    """A level of detail, and what is proven of it."""
+
+    @property
+    def error(self) -> float | None:
+        """The proven distance from the input, and of the input from it, model units; None without `errors`."""
+        return cast("_core.Level", self._core).error
+
+
+def _checked(option: str) -> str:
+    if option in OPTIONS and OPTIONS[option].group.startswith("Targets"):
+        raise TypeError(f"lod() got an unexpected keyword argument '{option}': levels have targets of their own")
+    return option
 
 
 def lod(
     mesh: Any,
     *,
-    faces: Sequence[int] | None = None,
+    ratios: Sequence[float] | None = None,
     face_ratios: Sequence[float] | None = None,
+    faces: Sequence[int] | None = None,
+    errors: Sequence[float | str] | None = None,
     threads: int = 0,
     progress: Any = None,
     **options: Any,
-) -> list[Mesh]:
+) -> list[Level]:
     """Levels of detail out of one run, the finest first: each is polished, and the run goes on from there.
 
     >>> import whittle
@@ -38,24 +55,30 @@ def lod(
     ----------
     mesh
         A `Mesh`, or what `simplify` takes as one object; or a pair of points and faces.
-    faces, face_ratios
-        Numbers of faces, or shares of them, (0, 1).
+    ratios, face_ratios, faces, errors
+        One of these: shares of the vertices, (0, 1); shares of the faces; numbers of faces; or distances that are
+        proven, in model units or as "0.1%" of the diagonal. There are fewer levels if the run can't go on.
     options
         As for `simplify`, but for targets.
+
+    Raises
+    ------
+    ValueError
+        A value is out of range, none or two of the four are given, or the mesh hasn't more faces than a number.
     """
     of = as_mesh(mesh)
-    n = len(of.faces)
-    counts = {*(faces or ()), *(max(1, round(ratio * n)) for ratio in face_ratios or ())}
-    if not counts:
-        raise ValueError("no target: give faces or face_ratios")
-    if max(counts) >= n or min(counts) < 1:
-        raise ValueError(f"levels have from 1 to {n - 1} faces here")
+    targets = _core.LevelTargets()
+    targets.ratios = list(ratios or ())
+    targets.face_ratios = list(face_ratios or ())
+    targets.faces = list(faces or ())
+    targets.set_errors([str(error) for error in errors or ()])
     wishes = _core.Wishes()
-    wishes.options = given(options)
+    wishes.options = given({_checked(name): value for name, value in options.items()})
     wishes.threads = threads
     with told(progress) as callable_:
-        levels = _core.levels(of._core, of is not mesh, sorted(counts, reverse=True), wishes, callable_)
-    return [Mesh._of(level) for level in levels]
+        levels, texts = _core.levels(of._core, of is not mesh, targets, wishes, callable_)
+    warn(texts)
+    return [Level._of(level) for level in levels]
 
 
 class Geomorph:

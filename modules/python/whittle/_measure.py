@@ -7,8 +7,8 @@ from typing import Any
 
 from . import _core
 from ._core import Verification
+from ._libraries import as_mesh
 from ._mesh import Mesh
-from ._objects import as_mesh
 from ._progress import told
 
 __all__ = ["Mesh", "Verification", "certificate", "certify", "info", "measure", "verify"]

@@ -5,12 +5,15 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 
 def _in_order(array: NDArray[Any]) -> NDArray[Any]:
@@ -40,6 +43,12 @@ def _faces(faces: ArrayLike) -> NDArray[Any]:
     if array.size == 0:
         array = array.reshape(-1, 3).astype(np.uint32)
     return _in_order(array)
+
+
+def warn(texts: Sequence[str]) -> None:
+    """Warns whoever has called the function that calls this one."""
+    for text in texts:
+        warnings.warn(text, stacklevel=3)
 
 
 def _length(value: float | str | bool) -> str:
@@ -124,7 +133,7 @@ class Mesh:
         )
 
     @classmethod
-    def _of(cls, core: _core.Mesh) -> Mesh:
+    def _of(cls, core: _core.Mesh) -> Self:
         mesh = cls.__new__(cls)
         mesh._core = core
         return mesh
@@ -244,5 +253,4 @@ def write(path: str | os.PathLike[str], mesh: Mesh, *, ascii: bool = False, comp
     whittle.WriteError
         The file can't be written.
     """
-    for text in mesh._core.write(os.fspath(path), ascii, compress):
-        warnings.warn(text, stacklevel=2)
+    warn(mesh._core.write(os.fspath(path), ascii, compress))

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from ._levels import Recording
+from ._libraries import as_mesh
 from ._mesh import write
-from ._objects import as_mesh
 
 __all__ = ["Page", "report"]
 

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import json
-import os
-import warnings
 from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._mesh import Mesh, read
-from ._objects import Adapter, adapter_of
+from ._libraries import taken
+from ._mesh import Mesh, warn
 from ._options import given, with_options
 from ._progress import told
 
@@ -101,8 +99,8 @@ def simplify(
     Parameters
     ----------
     mesh
-        Points (V, 3), with `faces`; a `Mesh`; the path of a file; or a mesh of trimesh, PyVista, VTK, Open3D, meshio or
-        PyMeshLab.
+        Points (V, 3), with `faces`; a pair of both; a `Mesh`; the path of a file; or a mesh of trimesh, PyVista, VTK,
+        Open3D, meshio or PyMeshLab.
     faces
         (F, 3), if `mesh` has points alone.
     normals, colors, texcoords, attributes
@@ -134,23 +132,18 @@ def simplify(
     Options are those of the program; `faces_left`, `vertices_left`, `out_normals` and `out_attributes` are its
     `--faces`, `--vertices`, `--normals` and `--attributes`.
     """
-    adapter: Adapter | None = None
-    is_used_up = True
-    if faces is not None:
-        of = Mesh(
-            mesh, faces, normals=normals, colors=colors, texcoords=texcoords, attributes=attributes, threads=threads
-        )
-    elif isinstance(mesh, Mesh):
-        of, is_used_up = mesh, False
-    elif isinstance(mesh, (str, os.PathLike)):
-        of = read(mesh, threads=threads)
+    if faces is None:
+        of, given_back = taken(mesh, threads)
     else:
-        adapter = adapter_of(mesh)
-        of = adapter.mesh(threads)
+        of, given_back = taken(
+            Mesh(
+                mesh, faces, normals=normals, colors=colors, texcoords=texcoords, attributes=attributes, threads=threads
+            )
+        )
     with told(progress) as callable_:
-        core = _core.simplify(of._core, is_used_up, _wishes(locked, certificate, record, threads, options), callable_)
-    result = Result.__new__(Result)
-    result._core = core
-    for text in result.warnings:
-        warnings.warn(text, stacklevel=2)
-    return result if adapter is None or as_result else adapter.given_back(result)
+        core = _core.simplify(
+            of._core, of is not mesh, _wishes(locked, certificate, record, threads, options), callable_
+        )
+    result = Result._of(core)
+    warn(result.warnings)
+    return result if as_result else given_back(result)

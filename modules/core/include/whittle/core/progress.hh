@@ -4,6 +4,7 @@
 #include <exception>
 #include <functional>
 #include <string_view>
+#include <utility>
 
 namespace whittle {
 
@@ -16,6 +17,14 @@ struct TaskProgress {
 /// Called from time to time, always by the thread that called the function; never if empty. Returns false to cancel the
 /// function. Each function documents its state after it was cancelled.
 using ProgressCallback = std::function<bool(const TaskProgress&)>;
+
+/// Tells a task's progress as that of a part of a longer one, from one fraction to another. Empty if `progress` is.
+inline ProgressCallback part_of(ProgressCallback progress, double from, double to) {
+  if (!progress) return {};
+  return [progress = std::move(progress), from, to](const TaskProgress& part) {
+    return progress({from + part.fraction * (to - from), part.stage});
+  };
+}
 
 /// Thrown by a cancelled function that has no result to return.
 class Cancelled : public std::exception {

@@ -1,0 +1,131 @@
+#include "whittle/pipeline/levels.hh"
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+#include "whittle/core/geometry/bounds.hh"
+#include "whittle/core/geometry/box.hh"
+#include "whittle/core/progress.hh"
+#include "whittle/core/text/text.hh"
+#include "whittle/pipeline/new_intersections.hh"
+#include "whittle/pipeline/run.hh"
+#include "whittle/pipeline/values.hh"
+#include "whittle/progressive/levels.hh"
+#include "whittle/scene/write_scene.hh"
+
+namespace whittle {
+namespace {
+
+/// \throw std::invalid_argument
+void check(const LevelTargets& targets) {
+  if (targets.n_kinds() != 1) throw std::invalid_argument("levels need targets of one kind");
+  for (const std::vector<double>* shares : {&targets.ratios, &targets.face_ratios}) {
+    for (const double ratio : *shares) {
+      if (!(ratio > 0 && ratio < 1)) throw std::invalid_argument("the share of a level is not between 0 and 1");
+    }
+  }
+  if (std::count(targets.faces.begin(), targets.faces.end(), 0) > 0) {
+    throw std::invalid_argument("a level has no faces");
+  }
+  for (const Length& error : targets.errors) {
+    if (!(error.value > 0)) throw std::invalid_argument("the error of a level is not above 0");
+  }
+}
+
+/// Counts in descending order, each once.
+std::vector<DecimateTarget> counts_of(const LevelTargets& targets, const Scene& scene) {
+  const IndexedMesh& mesh = scene.read.mesh;
+  std::vector<std::uint64_t> counts = targets.faces;
+  for (const double ratio : targets.ratios) counts.push_back(share_of(ratio, mesh.positions.size()));
+  for (const double ratio : targets.face_ratios) counts.push_back(share_of(ratio, mesh.faces.size()));
+  std::sort(counts.begin(), counts.end(), std::greater<>());
+  counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+  if (!targets.faces.empty() && counts.front() >= mesh.faces.size()) {
+    throw std::invalid_argument(scene.name + " has " + faces_text(mesh.faces.size()) + ", and " +
+                                std::to_string(counts.front()) + " are asked");
+  }
+  std::vector<DecimateTarget> result;
+  result.reserve(counts.size());
+  for (const std::uint64_t n : counts) {
+    result.push_back(targets.ratios.empty() ? DecimateTarget::faces(n) : DecimateTarget::vertices(n));
+  }
+  return result;
+}
+
+/// The errors in model units, ascending, each once.
+std::vector<double> errors_of(const LevelTargets& targets, const Scene& scene) {
+  const double diagonal = diagonal_of(bounds_of(scene.read.mesh));
+  std::vector<double> errors;
+  for (const Length& error : targets.errors) errors.push_back(error.in_units(diagonal));
+  std::sort(errors.begin(), errors.end());
+  errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
+  return errors;
+}
+
+/// A run that can't go on leaves levels out.
+void warn_of_missing_levels(const Scene& scene, std::size_t n_asked, Levels& levels) {
+  const Decimation& last = levels.levels.back().simplified;
+  const bool is_last_met = last.result.stop == StopReason::target;
+  if (levels.levels.size() == n_asked && is_last_met) return;
+  const std::size_t n_met = levels.levels.size() - (is_last_met ? 0 : 1);
+  const std::string reasons = reasons_at_end(last.result.refused_at_end);
+  levels.warnings.push_back(about(
+      scene.name, counted(n_asked - n_met, "level", "levels") + " not reached: the last one has " +
+                      faces_text(last.mesh.faces.size()) + ", and " +
+                      (reasons.empty() ? "nothing is left that may be contracted" : "the pairs left are " + reasons)));
+}
+
+void warn_of_new_intersections(const Scene& scene, unsigned threads, Levels& levels) {
+  for (const Level& level : levels.levels) {
+    const NewIntersections found = find_new_intersections(scene.read.mesh, level.simplified, threads);
+    for (const std::string& text : {found.of_parts, found.of_walls}) {
+      if (text.empty()) continue;
+      levels.warnings.push_back(scene.name + ": at " + std::to_string(level.simplified.mesh.faces.size()) + " faces, " +
+                                text);
+    }
+  }
+}
+
+/// \param options a run by them may end early
+std::vector<Level> levels_of(const Scene& scene, const LevelTargets& targets, Effort effort,
+                             const SimplifyOptions& options, const progressive::MeshMapping& to_file) {
+  const IndexedMesh& mesh = scene.read.mesh;
+  std::vector<Level> levels;
+  if (targets.errors.empty()) {
+    for (Simplification& level : simplify_to_levels(mesh, counts_of(targets, scene), effort, options)) {
+      levels.push_back({std::move(level), std::nullopt});
+    }
+  } else {
+    for (progressive::ProvenLevel& level :
+         progressive::levels_within(mesh, errors_of(targets, scene), effort, options, to_file)) {
+      const double error = level.error;
+      levels.push_back({std::move(level), error});
+    }
+  }
+  return levels;
+}
+
+}  // namespace
+
+Levels make_levels(const Scene& scene, const LevelTargets& targets, Effort effort, const SimplifyOptions& options,
+                   const SceneOutput& output, const SceneReadOptions& reading) {
+  check(targets);
+  bool is_cancelled = false;
+  SimplifyOptions watched = options;
+  if (options.decimate.progress) {
+    watched.decimate.progress = [&](const Progress& progress) {
+      is_cancelled = is_cancelled || !options.decimate.progress(progress);
+      return !is_cancelled;
+    };
+  }
+  const auto to_file = [&](const IndexedMesh& level) { return as_written(output, scene, level, reading); };
+  Levels levels{levels_of(scene, targets, effort, watched, to_file), {}};
+  if (is_cancelled) throw Cancelled();
+  if (targets.errors.empty()) warn_of_missing_levels(scene, counts_of(targets, scene).size(), levels);
+  warn_of_new_intersections(scene, options.decimate.threads, levels);
+  return levels;
+}
+
+}  // namespace whittle
