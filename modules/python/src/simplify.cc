@@ -21,10 +21,10 @@ namespace {
 
 /// What Python has of a run.
 struct Result : Mesh {
-  std::string report;                    ///< JSON
-  std::vector<std::string> warnings;     ///< a line each
-  std::vector<std::int64_t> vertex_map;  ///< points that were given → those of the result, or −1
-  std::vector<std::int64_t> face_origins;
+  std::string report;                 ///< JSON
+  std::vector<std::string> warnings;  ///< a line each
+  std::vector<Index> vertex_map;      ///< points that were given → those of the result, or `invalid_index`
+  std::vector<Index> face_origins;
   std::string certificate;
   std::optional<std::string> recording;
   bool met = false;
@@ -70,13 +70,12 @@ Result result_of(Plan plan, Outcome outcome, std::vector<std::string> warnings, 
   std::vector<std::string> more = all_warnings(plan, outcome);
   warnings.insert(warnings.end(), more.begin(), more.end());
   result.report = report_of(plan, outcome, warnings);
-  result.warnings = std::move(warnings);
-  std::vector<Index> map = plan.scene.read.vertex_map;
-  for (Index& v : map) v = v == invalid_index ? v : outcome.simplified.vertex_map[v];
-  result.vertex_map = signed_numbers(map);
-  result.face_origins = signed_numbers(outcome.simplified.face_origins);
-  result.certificate = std::move(outcome.certificate);
   if (plan.request.keeps_steps) result.recording = recording_of(plan, outcome);
+  result.warnings = std::move(warnings);
+  result.vertex_map = std::move(plan.scene.read.vertex_map);
+  for (Index& v : result.vertex_map) v = v == invalid_index ? v : outcome.simplified.vertex_map[v];
+  result.face_origins = std::move(outcome.simplified.face_origins);
+  result.certificate = std::move(outcome.certificate);
   result.replaced = std::move(outcome.simplified.mesh);
   if (!plan.scene.document) plan.scene.read.mesh = {};
   result.scene = std::move(plan.scene);
@@ -105,8 +104,8 @@ void bind_simplify(nb::module_& module) {
       .def_ro("report", &Result::report)
       .def_ro("warnings", &Result::warnings)
       .def_ro("met", &Result::met)
-      .def_prop_ro("vertex_map", [](const Result& result) { return array_of(result.vertex_map); })
-      .def_prop_ro("face_origins", [](const Result& result) { return array_of(result.face_origins); })
+      .def_prop_ro("vertex_map", [](const Result& result) { return array_of(signed_numbers(result.vertex_map)); })
+      .def_prop_ro("face_origins", [](const Result& result) { return array_of(signed_numbers(result.face_origins)); })
       .def_prop_ro("certificate", [](const Result& result) { return bytes_of(result.certificate); })
       .def_prop_ro("recording", [](const Result& result) -> nb::object {
         if (!result.recording) return nb::none();

@@ -1,11 +1,12 @@
 #include "whittle/metrics/crossing_walls.hh"
 
 #include <algorithm>
+#include <cstdint>
 #include <unordered_map>
 
 #include "intersections/face_intersections.hh"
 #include "intersections/vertex_map.hh"
-#include "whittle/core/geometry/bounds.hh"
+#include "whittle/core/detail/checks.hh"
 #include "whittle/core/parts.hh"
 
 namespace whittle::metrics {
@@ -40,7 +41,7 @@ struct Origins {
   std::vector<Image> images;  ///< of each face
 };
 
-/// The faces that became one of `pairs`.
+/// The faces that became one of `pairs`. \throw std::invalid_argument if a face names a missing vertex
 Origins origins_of(const FacePairs& pairs, const IndexedMesh& after, const IndexedMesh& before,
                    std::span<const Index> vertex_map) {
   std::vector<char> is_asked(after.positions.size());
@@ -49,17 +50,19 @@ Origins origins_of(const FacePairs& pairs, const IndexedMesh& after, const Index
       for (const Index v : after.faces[f]) is_asked[v] = 1;
     }
   }
-  const auto became = [&](Index v) {
+  std::vector<std::uint8_t> is_origin(before.positions.size());
+  for (std::size_t v = 0; v < is_origin.size(); ++v) {
     const Index to = vertex_map[v];
-    return to != invalid_index && is_asked[to] ? to : invalid_index;
-  };
+    is_origin[v] = to != invalid_index && is_asked[to];
+  }
+  const auto became = [&](Index v) { return is_origin[v] != 0 ? vertex_map[v] : invalid_index; };
   Origins origins;
   std::vector<Index> used;
+  check_corners(before.positions.size(), before.faces);
   for (const Triangle& face : before.faces) {
-    const Image image{became(face[0]), became(face[1]), became(face[2])};
-    if (image == Image{invalid_index, invalid_index, invalid_index}) continue;
+    if ((is_origin[face[0]] | is_origin[face[1]] | is_origin[face[2]]) == 0) continue;
     origins.mesh.faces.push_back(face);
-    origins.images.push_back(image);
+    origins.images.push_back({became(face[0]), became(face[1]), became(face[2])});
     used.insert(used.end(), face.begin(), face.end());
   }
   std::sort(used.begin(), used.end());
@@ -113,7 +116,6 @@ FacePairs newly_crossing_faces(const IndexedMesh& before, const IndexedMesh& aft
   check_vertex_map(vertex_map, before, after);
   FacePairs pairs = crossing_faces(after, threads);
   if (pairs.empty()) return {};
-  bounds_of(before);  // refuses invalid meshes
   const EarlierIntersections earlier(origins_of(pairs, after, before, vertex_map), threads);
   std::erase_if(pairs, [&](const auto& pair) { return earlier.has(after.faces[pair[0]], after.faces[pair[1]]); });
   return pairs;

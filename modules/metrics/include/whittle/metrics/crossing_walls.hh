@@ -18,7 +18,7 @@ namespace whittle::metrics {
 /// \param vertex_map for each vertex of `before` its vertex in `after`, or `invalid_index`
 /// \param threads 0 = all cores; the result is the same for any number
 /// \return pairs (lower, higher) of faces of `after`, ascending
-/// \throw std::invalid_argument as `bounds` for `after`, and for `before` where faces of `after` intersect; also if the
+/// \throw std::invalid_argument as `bounds_of` for `after`, and for the origins of faces that intersect; also if the
 ///        map's length isn't the number of vertices of `before`, or its numbers are out of range.
 std::vector<std::array<Index, 2>> newly_crossing_faces(const IndexedMesh& before, const IndexedMesh& after,
                                                        std::span<const Index> vertex_map, unsigned threads = 0);
