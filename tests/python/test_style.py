@@ -41,6 +41,16 @@ def test_types():
     run(sys.executable, "-m", "mypy", "--strict", "--cache-dir", os.devnull, str(package / "whittle"))
 
 
+def test_types_by_pyright():
+    pyright = source / "build" / "npm" / "node_modules" / ".bin" / "pyright"
+    if not pyright.exists():
+        pytest.skip("npm hasn't installed pyright in build/npm")
+    built = str(Path(whittle.__file__).parent)
+    command = [str(pyright), "--pythonpath", sys.executable]
+    run(*command, "--level", "error", built)
+    assert "completeness score: 100%" in run(*command, "--verifytypes", "whittle", "--ignoreexternal")
+
+
 def test_style():
     ruff = shutil.which("ruff", path=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
     if ruff is None:

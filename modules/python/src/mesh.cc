@@ -12,10 +12,12 @@
 #include <tuple>
 #include <utility>
 
+#include "whittle/core/text/text.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/io/output_files.hh"
 #include "whittle/pipeline/values.hh"
 #include "whittle/scene/read_scene.hh"
+#include "whittle/scene/scene_document.hh"
 #include "whittle/scene/write_scene.hh"
 
 namespace whittle::python {
@@ -91,6 +93,22 @@ Mesh read(const std::string& path, const std::string& weld, bool as_shown, unsig
   return result;
 }
 
+/// What a file loses because of the way in which its scene was read: a line, or empty.
+std::string lost_by_scope(const Scene& scene, const IndexedMesh& mesh, const SceneOutput& output) {
+  if (!scene.document) return {};
+  if (output.format->is_document && !keeps_meshes(scene)) {
+    const std::string lost = scene.document->left_out_of_one_mesh(mesh);
+    return lost.empty() ? lost : about(output.path, "left out: " + lost + "; 'as_shown=False' at reading keeps it");
+  }
+  if (output.format->is_document || !keeps_meshes(scene)) return {};
+  const std::vector<PlacedMesh> shown = scene.document->shown_meshes();
+  const bool is_repeated = std::any_of(shown.begin(), shown.end(), [](const auto& m) { return m.places.size() > 1; });
+  if (!is_repeated) return {};
+  return about(output.path,
+               "each mesh stands once, and the scene shows some several times; 'as_shown=True' at reading "
+               "places them all");
+}
+
 /// \return warnings
 std::vector<std::string> write(Mesh& mesh, const std::string& path, bool ascii, bool compress) {
   const nb::gil_scoped_release without_interpreter;
@@ -101,6 +119,9 @@ std::vector<std::string> write(Mesh& mesh, const std::string& path, bool ascii, 
   files.protect(mesh.scene.needed_files);
   write_scene(files, output, mesh.scene, mesh.mesh(), messages);
   files.commit();
+  if (std::string lost = lost_by_scope(mesh.scene, mesh.mesh(), output); !lost.empty()) {
+    messages.warnings.push_back(std::move(lost));
+  }
   return messages.warnings;
 }
 

@@ -72,7 +72,12 @@ def main() -> None:
     print(FIXED)
     print(properties_of(whittle.Result))
     print(simplify("    mesh: ArrayLike,\n    faces: ArrayLike,", "Result"), end="")
-    print(simplify("    mesh: Mesh | str | PathLike[str],\n    faces: None = None,", "Result"), end="")
+    print(
+        simplify(
+            "    mesh: Mesh | tuple[ArrayLike, ArrayLike] | str | PathLike[str],\n    faces: None = None,", "Result"
+        ),
+        end="",
+    )
     print(simplify("    mesh: _Given,\n    faces: None = None,", "_Given"), end="")
 
 

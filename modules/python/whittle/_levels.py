@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from . import _core
-from ._libraries import as_mesh
+from ._libraries import taken
 from ._mesh import Mesh, warn
 from ._options import OPTIONS, given
 from ._progress import told
@@ -66,7 +66,7 @@ def lod(
     ValueError
         A value is out of range, none or two of the four are given, or the mesh hasn't more faces than a number.
     """
-    of = as_mesh(mesh)
+    of, _ = taken(mesh, threads)
     targets = _core.LevelTargets()
     targets.ratios = list(ratios or ())
     targets.face_ratios = list(face_ratios or ())

@@ -223,7 +223,7 @@ class Mesh:
 
 
 def read(
-    path: str | os.PathLike[str], *, weld: float | str | bool = True, as_shown: bool = True, threads: int = 0
+    path: str | os.PathLike[str], *, weld: float | str | bool = True, as_shown: bool = False, threads: int = 0
 ) -> Mesh:
     """Reads a mesh from an OBJ, PLY, STL, OFF or glTF file.
 
@@ -234,8 +234,9 @@ def read(
     weld, threads
         As for `Mesh`.
     as_shown
-        Of a glTF file: all that its scene shows, each mesh where it stands; or each mesh once, as `write` needs it to
-        write the document again.
+        Of a glTF file. False: each mesh once; `write` writes the document again, with its nodes, materials, images and
+        animations. True: all that its scene shows, each mesh as often as it stands there, for measures and other
+        formats.
 
     Raises
     ------

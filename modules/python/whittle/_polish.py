@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 import json
-from typing import Any, cast
+from collections.abc import Callable
+from os import PathLike
+from typing import Any, Literal, TypeVar, cast, overload
+
+from numpy.typing import ArrayLike
 
 from . import _core
-from ._libraries import as_mesh, taken
+from ._libraries import taken
 from ._mesh import Mesh, warn
 from ._progress import told
 
 __all__ = ["Polished", "polish"]
+
+_Given = TypeVar("_Given")
+Fit = Literal["mean", "balanced", "max"]
+Progress = Callable[[str, float], Any] | type | None
 
 
 class Polished(Mesh):
@@ -23,15 +31,37 @@ class Polished(Mesh):
         return keys
 
 
+@overload
+def polish(
+    reference: Any,
+    mesh: Mesh | tuple[ArrayLike, ArrayLike] | str | PathLike[str],
+    *,
+    passes: int = 3,
+    fit: Fit = "balanced",
+    as_result: bool = False,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Polished: ...
+@overload
+def polish(
+    reference: Any,
+    mesh: _Given,
+    *,
+    passes: int = 3,
+    fit: Fit = "balanced",
+    as_result: Literal[False] = False,
+    threads: int = 0,
+    progress: Progress = None,
+) -> _Given: ...
 def polish(
     reference: Any,
     mesh: Any,
     *,
     passes: int = 3,
-    fit: str = "balanced",
+    fit: Fit = "balanced",
     as_result: bool = False,
     threads: int = 0,
-    progress: Any = None,
+    progress: Progress = None,
 ) -> Any:
     """Fits a simplified mesh, anyone's, to the mesh it was made from. Vertices move; faces stay.
 
@@ -60,7 +90,7 @@ def polish(
     -------
     A `Polished` for a `Mesh`, arrays and a path; else a mesh as it was given.
     """
-    original = as_mesh(reference)
+    original, _ = taken(reference, threads)
     of, given_back = taken(mesh, threads)
     with told(progress) as callable_:
         core = _core.polish(original._core, of._core, passes, fit, threads, callable_)

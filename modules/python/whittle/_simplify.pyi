@@ -82,7 +82,7 @@ def simplify(
 ) -> Result: ...
 @overload
 def simplify(
-    mesh: Mesh | str | PathLike[str],
+    mesh: Mesh | tuple[ArrayLike, ArrayLike] | str | PathLike[str],
     faces: None = None,
     *,
     normals: ArrayLike | None = None,

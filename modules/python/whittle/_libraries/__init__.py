@@ -41,12 +41,15 @@ def _as_it_is(result: Mesh) -> Mesh:
     return result
 
 
-def taken(given: Any, threads: int = 0) -> tuple[Mesh, Callable[[Mesh], Any]]:
-    """What is given as a `Mesh`, and the function that gives back a result of it as the library's."""
+def taken(given: Any, threads: int = 0, as_shown: bool = False) -> tuple[Mesh, Callable[[Mesh], Any]]:
+    """What is given as a `Mesh`, and the function that gives back a result of it as the library's.
+
+    That is a `Mesh`, a mesh of a library, the path of a file, or a pair of points and faces.
+    """
     if isinstance(given, Mesh):
         return given, _as_it_is
     if isinstance(given, (str, os.PathLike)):
-        return read(given, threads=threads), _as_it_is
+        return read(given, as_shown=as_shown, threads=threads), _as_it_is
     if isinstance(given, tuple) and len(given) == 2:
         return Mesh(*given, threads=threads), _as_it_is
     adapter = adapter_of(given)
@@ -54,5 +57,5 @@ def taken(given: Any, threads: int = 0) -> tuple[Mesh, Callable[[Mesh], Any]]:
 
 
 def as_mesh(given: Any) -> Mesh:
-    """A `Mesh`, a mesh of a library, the file at a path, or a pair of points and faces, as a `Mesh`."""
-    return taken(given)[0]
+    """As a `Mesh`, to be looked at: of a file what its scene shows."""
+    return taken(given, as_shown=True)[0]
