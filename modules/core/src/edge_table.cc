@@ -1,11 +1,11 @@
 #include "whittle/core/detail/edge_table.hh"
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 
 #include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/detail/item_groups.hh"
-#include "whittle/core/detail/relaxed.hh"
 
 namespace whittle::detail {
 namespace {
@@ -148,7 +148,7 @@ std::vector<std::uint8_t> border_vertices(std::span<const Triangle> faces, std::
   check_size(faces);
   const LargeArray<VertexStar> stars = look_around(faces, n_vertices, threads);
   std::vector<std::uint8_t> is_at_border(n_vertices);
-  const auto mark = [&](Index v) { store_relaxed(is_at_border[v], 1); };
+  const auto mark = [&](Index v) { std::atomic_ref(is_at_border[v]).store(1, std::memory_order_relaxed); };
   // An edge has two faces only if both its ends have. A soup has no such edge.
   for_each_range(faces.size(), threads, [&](std::size_t begin, std::size_t end) {
     for_each_side(faces, begin, end, [&](Index from, Index to, Index /*number*/) {

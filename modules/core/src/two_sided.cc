@@ -1,6 +1,7 @@
 #include "whittle/core/two_sided.hh"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <tuple>
 #include <utility>
@@ -8,7 +9,6 @@
 #include "whittle/core/detail/disjoint_sets.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/parallel.hh"
-#include "whittle/core/detail/relaxed.hh"
 #include "whittle/core/vertex_pair.hh"
 
 namespace whittle {
@@ -132,7 +132,7 @@ std::vector<Index> faces_that_may_coincide(std::span<const Triangle> faces, std:
   std::vector<std::uint8_t> has_equal_marks(n_vertices);
   const bool is_alone = n_threads(threads) == 1;
   const auto add_mark = [&](std::uint64_t& all, std::uint64_t mark) {
-    return is_alone ? std::exchange(all, all | mark) : detail::fetch_or_relaxed(all, mark);
+    return is_alone ? std::exchange(all, all | mark) : std::atomic_ref(all).fetch_or(mark, std::memory_order_relaxed);
   };
   const auto lowest_of = [](const Triangle& face) { return std::min({face[0], face[1], face[2]}); };
   for_each_range(faces.size(), threads, [&](std::size_t begin, std::size_t end) {
@@ -141,7 +141,7 @@ std::vector<Index> faces_that_may_coincide(std::span<const Triangle> faces, std:
       if (lowest >= n_vertices || !has_three_corners(face)) continue;
       const std::uint64_t mark = mark_of(face);
       if ((add_mark(marks[lowest], mark) & mark) != 0) {
-        detail::store_relaxed(has_equal_marks[lowest], 1);
+        std::atomic_ref(has_equal_marks[lowest]).store(1, std::memory_order_relaxed);
       }
     }
   });

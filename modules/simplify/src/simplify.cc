@@ -1,12 +1,13 @@
 #include "whittle/simplify/simplify.hh"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <exception>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -89,19 +90,6 @@ std::vector<Simplification> simplify_twice(const IndexedMesh& mesh, const Decima
   return both;
 }
 
-/// Calls a function at the end of a block.
-template <class Function>
-class AtEnd {
- public:
-  explicit AtEnd(Function function) : function_(std::move(function)) {}
-  AtEnd(const AtEnd&) = delete;
-  AtEnd& operator=(const AtEnd&) = delete;
-  ~AtEnd() { function_(); }
-
- private:
-  Function function_;
-};
-
 /// The same at once, each on half of the threads. Progress is that of the first, on the calling thread.
 std::vector<Simplification> simplify_twice_at_once(const IndexedMesh& mesh, const DecimateTarget& target,
                                                    SimplifyOptions settled, SimplifyOptions other,
@@ -112,16 +100,14 @@ std::vector<Simplification> simplify_twice_at_once(const IndexedMesh& mesh, cons
   std::vector<Simplification> both;
   std::optional<Simplification> second;
   std::exception_ptr failure;
-  std::atomic<bool> is_wanted = true;
-  JoinedThread thread([&] {
-    other.decimate.progress = [&is_wanted](const Progress&) { return is_wanted.load(std::memory_order_relaxed); };
+  std::jthread thread([&](const std::stop_token& stop) {
+    other.decimate.progress = [&stop](const Progress&) { return !stop.stop_requested(); };
     try {
       second = simplify_as_settled(mesh, target, other, polisher);
     } catch (...) {
       failure = std::current_exception();
     }
   });
-  const AtEnd end([&is_wanted] { is_wanted = false; });  // of a cancelled or failed run: before the thread is joined
   both.push_back(simplify_as_settled(mesh, target, settled, polisher));
   if (is_cancelled(both.front())) return both;
   thread.join();

@@ -1,9 +1,9 @@
 #include "blocks/partition.hh"
 
 #include <algorithm>
+#include <atomic>
 
 #include "whittle/core/detail/parallel.hh"
-#include "whittle/core/detail/relaxed.hh"
 #include "whittle/core/geometry/box.hh"
 
 namespace whittle {
@@ -89,7 +89,7 @@ void sort_faces(const WorkingSurface& surface, std::size_t n_blocks, unsigned th
     for (std::size_t f = begin; f < end; ++f) {
       const Partition::Block block = block_of_face(surface.faces[f]);
       for (const Index v : surface.faces[f]) {  // several threads may write the same
-        if (block_of[v] != block) detail::store_relaxed(partition.is_shared[v], 1);
+        if (block_of[v] != block) std::atomic_ref(partition.is_shared[v]).store(1, std::memory_order_relaxed);
       }
     }
   });

@@ -1,10 +1,10 @@
 #include "blocks/stitch.hh"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "whittle/core/detail/parallel.hh"
-#include "whittle/core/detail/relaxed.hh"
 
 namespace whittle {
 namespace {
@@ -72,7 +72,7 @@ std::vector<std::uint8_t> Stitching::find_vertices_left() const {
     for (std::size_t f = begin; f < end; ++f) {
       if (results_.is_face_left[f] == 0) continue;
       for (const Index v : surface_.faces[f]) {
-        detail::store_relaxed(is_left[results_.merged_into[v]], 1);
+        std::atomic_ref(is_left[results_.merged_into[v]]).store(1, std::memory_order_relaxed);
       }
     }
   });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <span>
 #include <vector>
 
@@ -7,7 +8,6 @@
 #include "complex/link.hh"
 #include "complex/neighbour_lists.hh"
 #include "whittle/core/detail/bit_set.hh"
-#include "whittle/core/detail/relaxed.hh"
 #include "whittle/core/detail/select.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/vertex_pair.hh"
@@ -107,7 +107,7 @@ class TriangleComplex {
     const Index grandparent = parent(p);
     if (grandparent == p) return p;
     const Index r = root(grandparent);
-    detail::store_relaxed(parents_[v], r);
+    std::atomic_ref(parents_[v]).store(r, std::memory_order_relaxed);
     return r;
   }
 
@@ -217,7 +217,7 @@ class TriangleComplex {
     Index last_change;
   };
 
-  Index parent(Index v) { return detail::load_relaxed(parents_[v]); }
+  Index parent(Index v) { return std::atomic_ref(parents_[v]).load(std::memory_order_relaxed); }
   Index root(Index v);
 
   // triangle_complex_build.cc

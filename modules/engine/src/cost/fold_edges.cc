@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 
 #include "whittle/core/detail/parallel.hh"
-#include "whittle/core/detail/relaxed.hh"
 
 namespace whittle {
 namespace {
@@ -44,7 +44,9 @@ std::vector<std::uint8_t> vertices_that_may_lie_on_rims(const IndexedMesh& mesh,
       const Vec3 other = (mesh.positions[c] - mesh.positions[a]) * frame.scale;
       const std::uint8_t of_face = octants_of(edge.cross(other));
       for (const Index v : mesh.faces[f]) {
-        if ((of_face & ~detail::load_relaxed(octants[v])) != 0) detail::fetch_or_relaxed(octants[v], of_face);
+        const std::atomic_ref at_vertex(octants[v]);
+        if ((of_face & ~at_vertex.load(std::memory_order_relaxed)) == 0) continue;
+        at_vertex.fetch_or(of_face, std::memory_order_relaxed);
       }
     }
   });

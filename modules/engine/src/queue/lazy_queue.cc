@@ -30,7 +30,7 @@ LazyQueue::LazyQueue(TriangleComplex& complex, const PairRanks& ranks, Threshold
       batches_(thread_pool_.n_helpers() == 0 ? 2 : n_shared_batches),
       raised_(complex.n_vertex_slots()),
       is_raised_(complex.n_pair_slots()),
-      raised_costs_(new float[complex.n_pair_slots()]) {
+      raised_costs_(std::make_unique_for_overwrite<float[]>(complex.n_pair_slots())) {
   fill_queue(refused, threads);
 }
 

@@ -3,6 +3,7 @@
 // is done. The second step starts with separate vertices at doubtful positions, and `WeldResolver` joins them: first
 // faces that go on from one another, then a front and a back that lie on each other.
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -16,7 +17,6 @@
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/parallel.hh"
-#include "whittle/core/detail/relaxed.hh"
 #include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/io/repair.hh"
@@ -39,7 +39,7 @@ bool is_same_place(const Vec3& p, const Vec3& q) { return p.x() == q.x() && p.y(
 // without length have no area; welding makes them degenerate.
 Flags find_candidates(const IndexedMesh& mesh, unsigned threads) {
   Flags is_candidate = whittle::detail::border_vertices(mesh.faces, mesh.positions.size(), threads);
-  const auto mark = [&](Index v) { whittle::detail::store_relaxed(is_candidate[v], 1); };
+  const auto mark = [&](Index v) { std::atomic_ref(is_candidate[v]).store(1, std::memory_order_relaxed); };
   for_each_range(mesh.faces.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const Triangle& face = mesh.faces[f];

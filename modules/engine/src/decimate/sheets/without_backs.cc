@@ -67,10 +67,9 @@ std::optional<Counts> counts_of_run(const TwoSidedSheets& sheets, std::uint64_t 
   const IndexedMesh& mesh = sheets.without_backs();
   const Decimation rehearsed = run(mesh, DecimateTarget::faces(least), options, nullptr, {});
   const auto joins_faces = [](const Contraction& contraction) { return contraction.joins_faces; };
-  const std::vector<Contraction>& contractions = rehearsed.steps.contractions;
-  if (std::any_of(contractions.begin(), contractions.end(), joins_faces)) return std::nullopt;
-  const std::size_t n = contractions.size();
-  const MergeTimes times(mesh.positions.size(), contractions);
+  if (std::ranges::any_of(rehearsed.steps.contractions, joins_faces)) return std::nullopt;
+  const std::size_t n = rehearsed.steps.contractions.size();
+  const MergeTimes times(mesh.positions.size(), rehearsed.steps.contractions);
   Counts counts{std::vector<std::uint64_t>(n + 1), std::vector<std::uint64_t>(n + 1)};
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     if (!has_three_corners(mesh.faces[f])) continue;

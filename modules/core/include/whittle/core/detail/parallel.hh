@@ -7,7 +7,6 @@
 #include <mutex>
 #include <system_error>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "whittle/core/detail/cores.hh"
@@ -17,22 +16,6 @@ namespace whittle {
 
 /// \param threads 0 = all cores
 inline std::size_t n_threads(unsigned threads) { return threads > 0 ? threads : detail::n_cores(); }
-
-/// A thread that is joined at the end: `std::jthread` without its stop token, as not every standard library has that.
-class JoinedThread {
- public:
-  template <class Function>
-  explicit JoinedThread(Function&& function) : thread_(std::forward<Function>(function)) {}
-  JoinedThread(JoinedThread&&) = default;
-  ~JoinedThread() { join(); }
-
-  void join() {
-    if (thread_.joinable()) thread_.join();
-  }
-
- private:
-  std::thread thread_;
-};
 
 /// Calls `work(block)` once for each block below `n_blocks`, on up to `threads` threads (0 = all cores), in any order.
 /// If each block has its own results, these are the same for any number of threads. After an exception no more blocks
@@ -58,7 +41,7 @@ void for_each_block(std::size_t n_blocks, unsigned threads, const Work& work) {
     }
   };
   {
-    std::vector<JoinedThread> pool;
+    std::vector<std::jthread> pool;
     pool.reserve(n_workers - 1);
     try {
       for (std::size_t i = 1; i < n_workers; ++i) pool.emplace_back(run);
