@@ -127,7 +127,7 @@ std::vector<LodLevel> levels_of(const LodCommand& options, const SimplifyOptions
     for (Level& level : made.levels) levels.push_back({std::move(level), {}});
     run.warnings.insert(run.warnings.end(), made.warnings.begin(), made.warnings.end());
   } catch (const std::invalid_argument& problem) {
-    throw UsageError("--faces: " + std::string(problem.what()));
+    throw UsageError((options.targets.faces.empty() ? "" : "--faces: ") + std::string(problem.what()));
   } catch (const Cancelled&) {
     // The signal that cancelled it is thrown by whoever waits for it.
   }
