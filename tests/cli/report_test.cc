@@ -51,7 +51,7 @@ TEST_F(ReportCommand, WritesAPageOfMeshes) {
   const std::string html = read_text(page);
   EXPECT_EQ(json["bytes"], html.size());
   EXPECT_THAT(html, StartsWith("<!DOCTYPE html>"));
-  EXPECT_THAT(html, HasSubstr("distance mean rel"));
+  EXPECT_THAT(html, HasSubstr("<th scope=\"row\">Mean error <small>% of the diagonal</small></th>"));
   const auto data = data_of(html);
   EXPECT_EQ(data["results"][0]["name"], "small.ply");
   EXPECT_EQ(data["results"][0]["distances"]["max"], json["meshes"][1]["max_distance"]);
@@ -68,7 +68,26 @@ TEST_F(ReportCommand, TakesRecordingsAsOriginalAndAsResult) {
     EXPECT_GT(data["recording"]["steps"], 1000);
     EXPECT_EQ(data["results"][0]["faces"], 400);
     EXPECT_EQ(data["recording"]["levels"][0]["mean"], 0);
-    EXPECT_THAT(outcome.out, HasSubstr("rejections link"));
+    EXPECT_THAT(outcome.out, HasSubstr("<th scope=\"row\">Ended because</th><td>the target was met</td>"));
+    EXPECT_THAT(outcome.out, HasSubstr("&quot;rejections&quot;: {")) << "all figures are in its JSON";
+  }
+}
+
+/// A column a mesh; the original has no error.
+TEST_F(ReportCommand, MarksTheBetterOfTwoResults) {
+  const std::string tiny = folder / "tiny.ply";
+  ASSERT_EQ(whittle({"simplify", mesh, "-o", tiny, "--faces", "60", "--quiet"}).exit_code, 0);
+  for (const bool is_better_first : {true, false}) {
+    std::vector<std::string> words{"report", mesh, folder / "small.ply", tiny, "-o", "-", "--quiet"};
+    if (!is_better_first) std::swap(words[2], words[3]);
+    const Outcome outcome = whittle(words);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome;
+    EXPECT_THAT(outcome.out, HasSubstr("<th scope=\"col\">blob.obj</th><th scope=\"col\">"));
+    const std::string row = "Mean error <small>model units</small></th>";
+    const std::string cells = outcome.out.substr(outcome.out.find(row) + row.size(), 60);
+    EXPECT_THAT(cells, StartsWith(is_better_first ? "<td></td><td class=\"best\">" : "<td></td><td>0."));
+    const double mean = data_of(outcome.out)["results"][is_better_first ? 0 : 1]["error"]["mean"];
+    EXPECT_GT(double(data_of(outcome.out)["results"][is_better_first ? 1 : 0]["error"]["mean"]), mean);
   }
 }
 

@@ -88,6 +88,7 @@ Json pack(const PageSurface& surface, const Grid& grid, PageBytes& bytes, PageIm
           {"coarse", bytes.add_faces(corners(surface.coarse), n_corners)},
           {"borders", bytes.add(borders)},
           {"nonmanifold", bytes.add(nonmanifold)},
+          {"error", surface.error ? Json{{"mean", surface.error->mean}, {"max", surface.error->max}} : Json(nullptr)},
           {"distances", surface.distances ? pack(*surface.distances, bytes) : Json(nullptr)},
           {"look", std::move(look)}};
 }

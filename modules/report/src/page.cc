@@ -64,16 +64,39 @@ std::string charts_html(const std::vector<PageChart>& charts) {
   return html;
 }
 
-std::string tables_html(const std::vector<PageTable>& tables) {
-  std::string html;
-  for (const auto& [title, rows] : tables) {
-    html += "<table><caption>" + escaped(title) + "</caption><tbody>\n";
-    for (const auto& [name, value] : rows) {
-      html += "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
-    }
-    html += "</tbody></table>\n";
+std::string row_html(const PageRow& row, std::size_t n_columns) {
+  const std::string unit = row.unit.empty() ? "" : " <small>" + escaped(row.unit) + "</small>";
+  std::string html = "<tr><th scope=\"row\">" + escaped(row.name) + unit + "</th>";
+  for (std::size_t i = 0; i < n_columns; ++i) {
+    const std::string value = i < row.values.size() ? escaped(row.values[i]) : "";
+    html += row.best == i ? "<td class=\"best\">" + value + "<span class=\"unseen\"> (best)</span></td>"
+                          : "<td>" + value + "</td>";
   }
-  return html;
+  return html + "</tr>\n";
+}
+
+std::string table_html(const PageTable& table) {
+  std::string html = "<table><caption>" + escaped(table.title) + "</caption>\n";
+  if (!table.columns.empty()) {
+    html += "<thead><tr><td></td>";
+    for (const std::string& name : table.columns) html += "<th scope=\"col\">" + escaped(name) + "</th>";
+    html += "</tr></thead>\n";
+  }
+  html += "<tbody>\n";
+  for (const PageRow& row : table.rows) html += row_html(row, std::max<std::size_t>(table.columns.size(), 1));
+  return html + "</tbody></table>\n";
+}
+
+/// What is wider than the window scrolls by itself.
+std::string tables_html(const Page& page) {
+  std::string html;
+  for (const PageTable& table : page.tables) {
+    html += "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(table.title) + "\">" +
+            table_html(table) + "</div>\n";
+  }
+  if (page.json.empty()) return html;
+  return html + "<details id=\"json\"><summary>All figures, as JSON</summary><pre tabindex=\"0\">" +
+         escaped(page.json) + "</pre></details>\n";
 }
 
 Box bounds_of_all(const Page& page) {
@@ -115,7 +138,7 @@ void write_page(std::ostream& out, const Page& page) {
                                                          {"data", data},
                                                          {"bytes", base64(deflated(bytes.bytes()))},
                                                          {"charts", charts_html(page.charts)},
-                                                         {"tables", tables_html(page.tables)}};
+                                                         {"tables", tables_html(page)}};
   // Only words of the template are replaced: contents may have braces of their own.
   const std::string page_text = page_template();
   std::string_view rest = page_text;

@@ -71,6 +71,7 @@ class PageMaker {
   void measure_distances();
   void measure_attributes();
   void measure_recording();
+  void measure_file(const report::PageSurface& surface, const std::string& path);
   void add_tables();
   void add_run(const Json& run);
   void add_charts();
@@ -83,7 +84,8 @@ class PageMaker {
   std::vector<std::string> paths_;  ///< of the meshes, the original's first
   report::Page page_;
   std::vector<CurvePoint> curve_;
-  std::vector<metrics::Shape> shapes_;  ///< of the files, the original's first
+  std::vector<MeasuredMesh> measured_;  ///< the files, the original first
+  Json figures_ = Json::object();       ///< of the files and the run, for the page
   double diagonal_ = 0;
 };
 
@@ -201,10 +203,10 @@ void PageMaker::measure_distances() {
     };
     for (report::PageSurface& result : page_.results) {
       limit_size(result);
-      result.distances = map(result.mesh, of_original, edge_length(shapes_[0]));
+      result.distances = map(result.mesh, of_original, edge_length(measured_[0].shape));
     }
     limit_size(page_.original);
-    page_.original.distances = map(page_.original.mesh, of_first, edge_length(shapes_[1]));
+    page_.original.distances = map(page_.original.mesh, of_first, edge_length(measured_[1].shape));
   }
   page_.original.coarse = report::coarse_faces(page_.original.mesh, threads());
   for (report::PageSurface& result : page_.results) result.coarse = report::coarse_faces(result.mesh, threads());
@@ -232,32 +234,36 @@ void PageMaker::measure_recording() {
   for (const CurvePoint& point : curve_) page_.recording->levels.push_back({point.n_faces, point.mean, point.max});
 }
 
-/// Of the files, so before coarser levels are made.
-void PageMaker::add_tables() {
-  const auto describe = [this](const IndexedMesh& mesh, Json json) {
-    const metrics::Topology topology = metrics::topology(mesh);
-    json["vertices"] = topology.vertices;
-    json["faces"] = topology.faces;
-    add_topology(json, topology);
-    shapes_.push_back(metrics::shape(mesh));
-    add_shape(json, shapes_.back());
-    return json;
-  };
-  page_.tables.push_back(table_of(page_.original.name, describe(page_.original.mesh, {{"diagonal", diagonal_}})));
-  facts_.meshes.push_back({{"path", paths_[0]},
-                           {"vertices", page_.original.mesh.positions.size()},
-                           {"faces", page_.original.mesh.faces.size()}});
-  for (std::size_t i = 0; i < page_.results.size(); ++i) {
-    const report::PageSurface& result = page_.results[i];
-    Json distance;
+/// The original first.
+void PageMaker::measure_file(const report::PageSurface& surface, const std::string& path) {
+  MeasuredMesh measured{surface.name, metrics::topology(surface.mesh), metrics::shape(surface.mesh), std::nullopt};
+  Json json{{"path", path}, {"vertices", measured.topology.vertices}, {"faces", measured.topology.faces}};
+  if (measured_.empty()) {
+    json["diagonal"] = diagonal_;
+  } else {
     metrics::DistanceOptions how;
     how.samples = 100'000;
     how.threads = threads();
-    add_distance(distance, metrics::surface_distance(page_.original.mesh, result.mesh, how));
-    page_.tables.push_back(table_of(result.name, describe(result.mesh, {{"distance", distance}})));
-    facts_.meshes.push_back(
-        {{"path", paths_[i + 1]}, {"vertices", result.mesh.positions.size()}, {"faces", result.mesh.faces.size()}});
+    measured.distance = metrics::surface_distance(page_.original.mesh, surface.mesh, how);
+    add_distance(json["distance"], *measured.distance);
   }
+  add_topology(json, measured.topology);
+  add_shape(json, measured.shape);
+  figures_["meshes"].push_back(std::move(json));
+  facts_.meshes.push_back(
+      {{"path", path}, {"vertices", surface.mesh.positions.size()}, {"faces", surface.mesh.faces.size()}});
+  measured_.push_back(std::move(measured));
+}
+
+/// Of the files, so before coarser levels are made.
+void PageMaker::add_tables() {
+  measure_file(page_.original, paths_[0]);
+  for (std::size_t i = 0; i < page_.results.size(); ++i) {
+    report::PageSurface& result = page_.results[i];
+    measure_file(result, paths_[i + 1]);
+    result.error = {measured_.back().distance->mean, measured_.back().distance->max};
+  }
+  page_.tables.push_back(mesh_table(measured_));
 }
 
 /// \pre the meshes are in `facts_`
@@ -269,13 +275,14 @@ void PageMaker::add_run(const Json& run) {
     faces.push_back(is_scene ? std::nullopt : std::optional(facts_.meshes[i]["faces"].get<std::uint64_t>()));
   }
   if (const std::string doubt = doubt_about_run(run, faces); !doubt.empty()) warn(about(*options_.run, doubt));
-  page_.tables.push_back(table_of(short_name(*options_.run), run));
+  page_.tables.push_back(run_table("The run: " + short_name(*options_.run), run_of(run, faces)));
+  figures_["run"] = run;
 }
 
 void PageMaker::add_charts() {
   std::vector<PageMesh> meshes;
   const auto add = [&](const report::PageSurface& surface) {
-    meshes.push_back({surface.name, shapes_[meshes.size()], surface.distances ? &*surface.distances : nullptr});
+    meshes.push_back({surface.name, measured_[meshes.size()].shape, surface.distances ? &*surface.distances : nullptr});
   };
   add(page_.original);
   for (const report::PageSurface& result : page_.results) add(result);
@@ -325,7 +332,8 @@ std::string PageMaker::make() {
 std::string PageMaker::make_of(const RunForPage& run) {
   take(run);
   add_tables();
-  page_.tables.push_back(table_of("the run", run.report));
+  page_.tables.push_back(run_table("The run", run.report));
+  figures_["run"] = run.report;
   return compose();
 }
 
@@ -359,6 +367,7 @@ std::string PageMaker::compose() {
   measure_distances();
   measure_attributes();
   add_charts();
+  page_.json = to_text(figures_);
   std::ostringstream out;
   write_page(out, page_);
   return std::move(out).str();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "whittle/io/errors.hh"
@@ -73,6 +74,12 @@ std::string doubt_about_run(const Json& report, Counts n_faces) {
   const std::string read = did_text("read", n_faces.first(1));
   const std::string wrote = did_text("wrote", n_faces.subspan(1));
   return "may be of other meshes: has no run that " + read + (read.empty() || wrote.empty() ? "" : " and ") + wrote;
+}
+
+Json run_of(const Json& report, Counts n_faces) {
+  std::vector<Json> runs = runs_of(report);
+  const auto found = std::find_if(runs.begin(), runs.end(), [n_faces](const Json& run) { return fits(run, n_faces); });
+  return std::move(found == runs.end() ? runs.front() : *found);
 }
 
 }  // namespace whittle::app

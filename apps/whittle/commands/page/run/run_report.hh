@@ -20,4 +20,7 @@ Json read_report_of_simplify(const std::string& path);
 /// \param n_faces of the original, then of the results; empty: unknown, which any number is like
 std::string doubt_about_run(const Json& report, std::span<const std::optional<std::uint64_t>> n_faces);
 
+/// The run of a report that may be of meshes with such numbers of faces, as above; the first one, if none fits.
+Json run_of(const Json& report, std::span<const std::optional<std::uint64_t>> n_faces);
+
 }  // namespace whittle::app

@@ -41,6 +41,11 @@ struct CoarseFaces {
   std::vector<Index> face_groups;  ///< as `IndexedMesh::face_groups`
 };
 
+/// The sampled distance between a mesh and the original, both ways, model units.
+struct PageError {
+  double mean, max;
+};
+
 /// A mesh of the page, shown with normals, colours and texture coordinates.
 struct PageSurface {
   std::string name;
@@ -55,6 +60,7 @@ struct PageSurface {
   /// images are stored once.
   std::vector<Material> materials{};
   ColorEncoding colors = ColorEncoding::srgb;  ///< of `mesh.colors`
+  std::optional<PageError> error{};            ///< of a result
 };
 
 /// Faces for `PageSurface::coarse`: about 10,000; none for a mesh of few faces. \param threads 0 = all cores
@@ -79,10 +85,18 @@ struct PageChart {
   std::string svg;  ///< copied into the page verbatim
 };
 
-/// A table of names and values.
+/// A quantity of a table.
+struct PageRow {
+  std::string name;
+  std::string unit;                 ///< or empty
+  std::vector<std::string> values;  ///< one a column; empty text: has none
+  std::optional<std::size_t> best;  ///< the column with the best value, if one is better than the others
+};
+
 struct PageTable {
   std::string title;
-  std::vector<std::pair<std::string, std::string>> rows;
+  std::vector<std::string> columns;  ///< names; none if there is one value a row
+  std::vector<PageRow> rows;
 };
 
 struct Page {
@@ -93,6 +107,7 @@ struct Page {
   std::optional<PageRecording> recording;
   std::vector<PageChart> charts;
   std::vector<PageTable> tables;
+  std::string json = {};  ///< all figures, as JSON to be read by people; or empty
 };
 
 /// Writes the page. Positions are rounded to 65,536 steps along the longest side of the box around all meshes,
