@@ -93,6 +93,7 @@ packages=("${build_packages[@]}" git mold)
 with_python=(-DWHITTLE_PYTHON=OFF)
 if [ "$mode" = whole ]; then
   packages+=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen cmark-gfm groff-base pkg-config chromium
+    firefox-esr xvfb xauth
     python3-dev python3-numpy python3-venv blender python3-paraview)
 fi
 install_packages "$logs/packages.log" "${packages[@]}"

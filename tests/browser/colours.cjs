@@ -8,7 +8,7 @@ const seenPixels = async (page, pane, n) => page.evaluate(([canvas, paneOf, nPix
   const {view} = window.whittle;
   const colourAt = (i) => Array.from(canvas.data.subarray(4 * i, 4 * i + 3));
   const background = window.whittle.background.match(/\w\w/g).map((part) => parseInt(part, 16)).join();
-  const {left, width, height} = view.boxesOfPanes()[paneOf];
+  const {left, width, height} = view.sharpBoxes()[paneOf];
   let seed = 1;
   const random = (below) => Math.floor((seed = seed * 48271 % 2147483647) / 2147483647 * below);
   const grid = (vector) => vector.toArray().map((coordinate) => 65535 * coordinate);
@@ -28,10 +28,13 @@ const seenPixels = async (page, pane, n) => page.evaluate(([canvas, paneOf, nPix
 const shownMeshes = (page) => page.evaluate(() => {
   const app = window.whittle;
   return {
-    meshes: [app.original, app.result].map(({surface}) => ({
-      positions: Array.from({length: surface.nVertices}, (_, v) => [0, 1, 2].map((d) => surface.positions[4 * v + d])),
-      corners: Array.from(surface.corners),
-    })),
+    meshes: [app.original, app.result].map(({surface}) => {
+      const {positions, corners, nFaces} = surface.onGrid?.() ?? surface;
+      return {
+        positions: Array.from({length: surface.nVertices}, (_, v) => [0, 1, 2].map((d) => positions[4 * v + d])),
+        corners: Array.from(corners.subarray(0, 3 * nFaces)),
+      };
+    }),
     colours: [...document.querySelectorAll('#legend .steps span')].map(
       ({style}) => style.backgroundColor.match(/\d+/g).map(Number)),
     top: app.greatestShown() / app.json.step,

@@ -15,7 +15,7 @@ const isNearAnEnd = ({place, nLevels}) => Math.min(place, 1 - place) * nLevels <
 /** Lists: after another option was chosen. */
 const lists = {
   layout(before, after, {isAlike}) {
-    differ(before, after, 'labels');
+    assert.notEqual([after.labels, after.split].join(), [before.labels, before.split].join(), 'labels and line stay as they were');
     if (!isAlike) differ(before, after, 'picture');
   },
   result(before, after) {
@@ -32,7 +32,7 @@ const lists = {
   spacing: (before, after) => isNearAnEnd(before) || differ(before, after, 'level'),
 };
 
-const boxes = {edges: picture, borders: picture, nonmanifold: picture, refused: picture};
+const boxes = {faces: picture, edges: picture, borders: picture, nonmanifold: picture, refused: picture};
 
 /** What is seen while it plays and after. \param before the button was pressed \param page has `look` and `wait` */
 async function plays(page, before, direction) {
@@ -43,7 +43,7 @@ async function plays(page, before, direction) {
   const on = await page.look();
   assert.equal(on.direction, direction, 'the button says what it does');
   assert.equal(on.play, direction > 0 ? 'Pause' : 'Play');
-  assert.equal(on.back, direction < 0 ? 'Pause' : 'Backwards');
+  assert.equal(on.back, direction < 0 ? 'Pause' : 'Play backwards');
   await page.wait(([text]) => document.getElementById('level').textContent !== text, [on.level], 'the level goes on');
   if (on.isRecordingShown) differ(on, await page.look(), 'labels');
   await page.jumpTo(direction > 0 ? 0.999 : 0.001);
@@ -56,7 +56,7 @@ async function ends(page, direction) {
 }
 
 async function standsStill(page, when) {
-  await page.wait(() => document.getElementById('play').textContent === 'Play' && document.getElementById('back').textContent === 'Backwards', [],
+  await page.wait(() => ['play', 'back'].every((id) => document.getElementById(id).getAttribute('aria-label') !== 'Pause'), [],
     `it stands still ${when}`);
   const before = await page.look();
   await page.frames();
@@ -89,14 +89,45 @@ const buttons = {
   faster: (page, before) => changesSpeed(page, before, 1),
   slower: (page, before) => changesSpeed(page, before, -1),
   fit: async (page, before) => differ(before, await page.look(), 'picture'), // which was turned before
+  worst: findsTheWorst,
+  numbers: async (page) => {
+    assert.equal((await page.look()).focus, 'tables');
+    const isSeen = () => document.getElementById('tables').getBoundingClientRect().top < window.innerHeight / 2 || window.scrollY > 0 &&
+      window.scrollY + window.innerHeight >= document.documentElement.scrollHeight - 1;
+    assert.ok(await page.page.evaluate(isSeen), 'the page scrolls to the tables');
+    await page.page.evaluate(() => window.scrollTo(0, 0));
+  },
+  help: async (page) => {
+    assert.ok((await page.look()).isHelpOpen, 'the list of keys is there');
+    await page.press('close', 'keys');
+    assert.ok(!(await page.look()).isHelpOpen, 'the list of keys is closed');
+  },
+};
+
+/** It says how far off the worst place is, beside it, and shows it in the colours of the error. */
+async function findsTheWorst(page) {
+  const isSaid = /^Largest distance ([^ ]+) model units/;
+  await page.wait(([source]) => new RegExp(source).test(document.getElementById('status').textContent), [isSaid.source], 'the worst place is told');
+  const after = await page.look();
+  assert.equal(after.spot, after.status, 'it is told at the spot, too');
+  assert.match(after.legend, /distance/);
+}
+
+/** After their key was pressed. */
+const inputs = {
+  split: changes('split'),
+  count: (_, after) => assert.equal(after.focus, 'count'),
+  limit: (_, after) => assert.equal(after.focus, 'limit'),
 };
 
 /** Each key that the page may list: the control that it stands for, or what has to change. */
 const keys = {
   'Arrows': picture, '+': picture, '−': picture, '0': 'fit', 'Enter': changes('status'), 'Esc': changes('focus'),
-  'c': 'colour', 't': 'top', 's': 'shading', 'u': 'up', 'e': 'edges', 'o': 'borders', 'n': 'nonmanifold', 'p': 'refused',
-  '1': 'layout', '2': 'layout', '3': 'layout', '4': 'layout', 'r': 'result', 'g': 'ghost',
+  'c': 'colour', 't': 'top', 's': 'shading', 'u': 'up', 'f': 'faces', 'e': 'edges',
+  'o': 'borders', 'n': 'nonmanifold', 'p': 'refused', 'w': 'worst', 'x': 'numbers', '?': 'help', '[': 'split', ']': 'split',
+  'j': 'count', 'i': 'limit', 'd': 'save',
+  '1': 'layout', '2': 'layout', '3': 'layout', '4': 'layout', '5': 'layout', 'r': 'result', 'g': 'ghost',
   'Space': 'play', 'b': 'back', ',': 'previous', '.': 'next', '<': 'slower', '>': 'faster', 'm': 'movement', 'l': 'spacing',
 };
 
-module.exports = {lists, boxes, buttons, keys, standsStill, differ, stays};
+module.exports = {lists, boxes, buttons, inputs, keys, standsStill, differ, stays};

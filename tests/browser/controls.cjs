@@ -2,7 +2,8 @@
 // control_rules.cjs; a control, or a listed key, that isn't there fails the test.
 'use strict';
 const assert = require('assert/strict');
-const {lists, boxes, buttons, keys, standsStill, differ, stays} = require('./control_rules.cjs');
+const fs = require('fs');
+const {lists, boxes, buttons, inputs, keys, standsStill, differ, stays} = require('./control_rules.cjs');
 const {Visitor} = require('./visitor.cjs');
 
 /** Tries something, and says where if it fails. */
@@ -44,6 +45,86 @@ async function useButton(visitor, name, by) {
   if (!await visitor.isUsable(name)) return; // it has come to an end meanwhile
   await visitor.press(name, by);
   await buttons[name](visitor, before);
+}
+
+const nFacesOf = (text) => Number(/([\d,]+) faces?/.exec(text)[1].replaceAll(',', ''));
+
+/** The file that is saved has the faces of the level that is shown. */
+async function useSave(visitor, by) {
+  const saved = visitor.page.waitForEvent('download');
+  await visitor.press('save', by);
+  const bytes = fs.readFileSync(await (await saved).path());
+  const header = bytes.toString('latin1', 0, 400);
+  const [nVertices, nFaces] = ['vertex', 'face'].map((element) => Number(new RegExp(`element ${element} (\\d+)`).exec(header)[1]));
+  assert.equal(bytes.length, header.indexOf('end_header\n') + 'end_header\n'.length + 24 * nVertices + 13 * nFaces);
+  const {status, level, direction} = await visitor.look();
+  assert.match(status, /^Saved .*\.ply/);
+  if (direction === 0) assert.equal(nFaces, nFacesOf(level));
+}
+
+/** Writes a number into an input and leaves it. */
+async function write(visitor, name, text) {
+  await visitor.page.fill(`#${name}`, text);
+  await visitor.page.press(`#${name}`, 'Enter');
+}
+
+/** The level is the first one with at most as many faces as are asked for; 0 is the last one. */
+async function useCount(visitor) {
+  const all = await visitor.page.evaluate(() => Array.from(window.whittle.recording.facesAfter));
+  const [first, last] = [all[0], all.at(-1)];
+  for (const n of [first, Math.round((first + 3 * last) / 4), 0]) {
+    await write(visitor, 'count', String(n));
+    const {level} = await standsStill(visitor, 'at a number of faces');
+    assert.equal(nFacesOf(level), all.find((faces) => faces <= n) ?? last, `${n} faces are asked for`);
+  }
+}
+
+/** The largest error of the level is at most what is asked for, and that of a level with a face less is larger. */
+async function useLimit(visitor) {
+  const levels = await visitor.page.evaluate(() => window.whittle.recording.levels);
+  const limit = levels[Math.floor(levels.length / 2)].max * 0.9;
+  await write(visitor, 'limit', String(limit));
+  const {level, status, labels} = await standsStill(visitor, 'at a largest error');
+  const error = (n) => visitor.page.evaluate((faces) => window.whittle.recording.errorAt(faces).max, n);
+  assert.ok(await error(nFacesOf(level)) <= limit * (1 + 1e-9), `${level} is farther away than ${limit}`);
+  const {next} = await visitor.page.evaluate(() => {
+    const {facesAfter, nContractions} = window.whittle.recording;
+    return {next: facesAfter.subarray(nContractions).find((faces) => faces < facesAfter[nContractions])};
+  });
+  if (next !== undefined) assert.ok(await error(next) > limit * (1 - 1e-9), `${next} faces would keep within ${limit}`);
+  assert.match(status, /keep within/);
+  assert.match(labels, /largest [\d.e-]+ model units/);
+}
+
+/** Brings the line between before and after to the middle. */
+const centreSplit = (visitor) => visitor.page.evaluate(() => {
+  const split = document.getElementById('split');
+  split.value = 500;
+  split.dispatchEvent(new Event('input'));
+});
+
+/** It goes where it is dragged. */
+async function useSplit(visitor, by) {
+  await centreSplit(visitor);
+  const before = await visitor.look();
+  if (by === 'keys') {
+    await visitor.focus('split');
+    for (let i = 0; i < 30; ++i) await visitor.page.keyboard.press('ArrowLeft');
+  } else {
+    const from = await visitor.point('split', 0.5, 0.5);
+    const to = [from[0] - 60, from[1]];
+    await (by === 'touch' ? visitor.touch([[from, to]]) : visitor.drag(from, to));
+  }
+  const after = await visitor.look();
+  differ(before, after, 'split');
+  differ(before, after, 'picture');
+  await centreSplit(visitor);
+}
+
+/** What is wider than the window can be scrolled by keys. */
+async function useScroller(visitor, name) {
+  await visitor.page.evaluate((tag) => document.querySelector(`${tag}[tabindex="0"]`).focus(), name);
+  assert.equal(await visitor.page.evaluate(() => document.activeElement.tabIndex), 0);
 }
 
 async function useSummary(visitor, by) {
@@ -89,9 +170,13 @@ async function useSlider(visitor, by) {
 /** Turns, moves and zooms, and asks what is where. */
 async function useCanvas(visitor, by) {
   const {page} = visitor;
-  const panes = await page.evaluate(() => window.whittle.view.panes);
-  const at = (x, y) => visitor.point('canvas', x / panes, y);
-  const [middle, aside] = [await at(0.5, 0.5), await at(0.7, 0.6)];
+  const share = await page.evaluate(() => {
+    const {view} = window.whittle;
+    const {width, height} = view.boxes()[0];
+    return {x: width / view.width, y: height / view.height};
+  });
+  const at = (x, y) => visitor.point('canvas', x * share.x, y * share.y);
+  const [middle, aside] = [await at(0.4, 0.35), await at(0.65, 0.6)];
   const press = async (...pressed) => {
     await page.focus('#canvas');
     for (const key of pressed) await page.keyboard.press(key);
@@ -112,18 +197,32 @@ async function useCanvas(visitor, by) {
     });
   }
   await visitor.press('fit', by);
+  if (by === 'touch') await scrollsByFingers(visitor, await at(0.4, 0.35)); // the window may have scrolled to the button
   await asksWhatIsThere(visitor, by, at);
+}
+
+/** Two fingers that go up together scroll the page, and leave the picture as it is. */
+async function scrollsByFingers(visitor, [x, y]) {
+  const before = await visitor.look();
+  await visitor.touch([-20, 20].map((aside) => [[x + aside, y], [x + aside, y - 60]]));
+  const after = await visitor.look();
+  assert.ok(after.scrolled > before.scrolled, 'two fingers scroll the page');
+  stays(before, after, 'picture');
+  await visitor.page.evaluate(() => window.scrollTo(0, 0));
 }
 
 /** A point of the surface, as shares of the first pane, or null. */
 const surfacePoint = (visitor) => visitor.page.evaluate(() => {
   const app = window.whittle;
+  app.view.canvas.scrollIntoView({block: 'nearest', behavior: 'instant'});
   const {left, top, width, height} = app.view.canvas.getBoundingClientRect();
   const faces = app.modelsOfPanes().map((model) => model.faces);
+  const box = app.view.boxes()[0];
   const n = 50;
   for (let i = 0; i < n * n; ++i) {
     const [x, y] = [(i % n + 0.5) / n, (Math.floor(i / n) + 0.5) / n];
-    if (app.view.pick({clientX: left + x * width / app.view.panes, clientY: top + y * height}, faces).hit) return [x, y];
+    const [clientX, clientY] = [left + x * width * box.width / app.view.width, top + y * height * box.height / app.view.height];
+    if (document.elementFromPoint(clientX, clientY) === app.view.canvas && app.view.pick({clientX, clientY}, faces).hit) return [x, y];
   }
   return null;
 });
@@ -135,10 +234,16 @@ async function asksWhatIsThere(visitor, by, at) {
     await visitor.page.keyboard.press('Enter');
     return says('\\(.*,.*,.*\\)|nothing', 'Enter says what is in the middle');
   }
-  await visitor.click(await at(...await surfacePoint(visitor)), by);
+  const there = await surfacePoint(visitor);
+  await visitor.click(await at(...there), by);
   await says('\\(.*,.*,.*\\)', 'a click says what is there');
+  const {status, spot} = await visitor.look();
+  assert.equal(spot, status, 'it is told at the spot');
   await visitor.click(await at(0.02, 0.03), by);
   await says('^$', 'a click beside it says nothing');
+  const before = await visitor.look();
+  for (let i = 0; i < 2; ++i) await visitor.click(await at(...there), by);
+  differ(before, await visitor.look(), 'picture'); // a double click goes there
 }
 
 /** \return the kind of control, for what this test does with it */
@@ -146,7 +251,8 @@ function useOf(name) {
   if (lists[name]) return useList;
   if (boxes[name]) return useBox;
   if (buttons[name]) return useButton;
-  const others = {slider: (visitor, _, by) => useSlider(visitor, by), canvas: (visitor, _, by) => useCanvas(visitor, by),
+  const others = {slider: (visitor, _, by) => useSlider(visitor, by), save: (visitor, _, by) => useSave(visitor, by), count: useCount, limit: useLimit,
+    split: (visitor, _, by) => useSplit(visitor, by), div: useScroller, pre: useScroller, canvas: (visitor, _, by) => useCanvas(visitor, by),
     summary: (visitor, _, by) => useSummary(visitor, by)};
   assert.ok(others[name], `this test doesn't know the control "${name}"`);
   return others[name];
@@ -191,13 +297,13 @@ async function usesTheView(page, {by, about, used}) {
 /** Each key of the list does what its control does, whatever has the focus but a list. */
 async function usesTheKeys(page, {about}) {
   const visitor = new Visitor(page);
-  const listed = await page.$$eval('#keys dt', (all) => all.flatMap((term) => term.textContent.split(' ')));
+  const listed = await page.$$eval('#key-list dt', (all) => all.flatMap((term) => term.textContent.split(' ')));
   for (const key of listed) {
     assert.ok(keys[key], `this test doesn't know the key "${key}"`);
     await trying(`the key ${key}`, () => usesTheKey(visitor, key, about));
   }
   for (const name of await visitor.controls()) {
-    if (['canvas', 'summary', 'slider'].includes(name)) continue; // Tab and the keys of browsers
+    if (['canvas', 'summary', 'slider', 'div', 'pre'].includes(name)) continue; // Tab and the keys of browsers
     assert.ok(listed.some((key) => keys[key] === name), `no key is listed for ${name}`);
   }
 }
@@ -207,7 +313,7 @@ async function usesTheKey(visitor, key, about) {
   const name = typeof keys[key] === 'string' ? keys[key] : null;
   for (const focused of ['body', 'canvas', 'edges']) {
     if (key === 'Esc' && focused !== 'edges') continue;
-    const layout = await visitor.isUsable('layout') && {layout: name === 'ghost' ? 'over' : key === '1' ? 'result' : 'beside'};
+    const layout = await visitor.isUsable('layout') && {layout: {ghost: 'over', split: 'split'}[name] ?? (key === '1' ? 'result' : 'beside')};
     const colour = name === 'top' && (await visitor.options('colour')).includes('error') && {colour: 'error'};
     await visitor.prepare({...layout, ...colour});
     if (await visitor.isUsable('play')) await visitor.reach(0.5037, 0);
@@ -219,11 +325,13 @@ async function usesTheKey(visitor, key, about) {
     if (lists[name] && (await visitor.options(name)).length < 2) continue;
     await page.evaluate((id) => (document.getElementById(id) ?? document.activeElement)[id === 'body' ? 'blur' : 'focus'](), focused);
     const before = await visitor.look();
+    const saved = name === 'save' && page.waitForEvent('download');
     await page.keyboard.press({Arrows: 'ArrowRight', '−': '-', Esc: 'Escape'}[key] ?? key);
     if (key === 'Enter') await visitor.wait(() => document.getElementById('status').textContent !== '', [], 'what is in the middle');
-    if (buttons[name]) await buttons[name](visitor, before);
-    else (lists[name] ?? boxes[name] ?? keys[key])(before, await visitor.look(), about);
+    if (saved) await saved;
+    else if (buttons[name]) await buttons[name](visitor, before);
+    else (lists[name] ?? boxes[name] ?? inputs[name] ?? keys[key])(before, await visitor.look(), about);
   }
 }
 
-module.exports = {usesThePlayer, usesTheView, usesTheKeys, known: [...Object.keys({...lists, ...boxes, ...buttons}), 'slider', 'canvas', 'summary']};
+module.exports = {usesThePlayer, usesTheView, usesTheKeys, known: [...Object.keys({...lists, ...boxes, ...buttons, ...inputs}), 'slider', 'canvas', 'summary', 'save', 'div']};

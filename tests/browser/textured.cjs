@@ -27,7 +27,7 @@ const lookStraight = (page) => page.evaluate(() => {
 const drawnQuarters = async (page) => page.evaluate((canvas) => {
   const {view} = window.whittle;
   const ratio = canvas.width / view.sharpSize().width;
-  return view.boxesOfPanes().map(({left, width, height}) => [[-1, 1], [1, 1], [-1, -1], [1, -1]].map(([x, y]) => {
+  return view.sharpBoxes().map(({left, width, height}) => [[-1, 1], [1, 1], [-1, -1], [1, -1]].map(([x, y]) => {
     const seen = view.center.clone();
     seen.x += 0.25 * x; // the square is 1 wide in the unit of the page
     seen.y += 0.25 * y;
@@ -65,7 +65,7 @@ async function showsItsTextureWhileItMoves(page) {
   await page.evaluate(async () => {
     const {motion} = window.whittle;
     motion.goOn();
-    motion.isSlow = true;
+    motion.roughness = 1;
     clearTimeout(motion.timer); // it goes on moving
     window.whittle.draw();
     await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));

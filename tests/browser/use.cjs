@@ -26,7 +26,7 @@ const pages = [
   {name: 'levels.html', views: ['mouse']}, // several results
   {name: 'one.html', views: ['keys'], areKeysUsed: true}, // a mesh alone, with borders and non-manifold edges
 ];
-const window = {width: 320, height: 380}; // pictures are drawn often
+const window = {width: 320, height: 460}; // pictures are drawn often
 
 async function uses({name, about = {}, players = {}, views, areKeysUsed = false}, withPage, used) {
   const ways = [...Object.entries(players).map(([by, states]) => [usesThePlayer, by, states]), ...views.map((by) => [usesTheView, by]),

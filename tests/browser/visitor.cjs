@@ -18,11 +18,13 @@ class Visitor {
       const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
       gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
       const text = (id) => $(id).closest('[hidden]') ? '' : $(id).textContent;
+      const name = (id) => $(id).closest('[hidden]') ? '' : $(id).getAttribute('aria-label');
       const labels = `${text('left-label')} | ${text('right-label')}`;
       const seen = {
         labels, legend: text('legend'), reasons: text('reasons'), status: text('status'), level: text('level'), speed: text('speed'),
-        play: text('play'), back: text('back'), place: $('slider').value / 1000, focus: document.activeElement.id,
-        direction: Number(text('play') === 'Pause') - Number(text('back') === 'Pause'), isOpen: document.querySelector('details').open,
+        play: name('play'), back: name('back'), place: $('slider').value / 1000, focus: document.activeElement.id,
+        direction: Number(name('play') === 'Pause') - Number(name('back') === 'Pause'), isOpen: $('json').open, isHelpOpen: $('keys').open,
+        spot: $('spot').hidden ? '' : text('spot'), scrolled: window.scrollY, split: $('split').hidden ? null : $('split').value,
         isRecordingShown: labels.includes('level of the run'), nLevels: window.whittle.recording?.nSteps,
       };
       const digest = await crypto.subtle.digest('SHA-256', pixels); // of what was seen with these texts
@@ -53,8 +55,8 @@ class Visitor {
     const begin = await this.page.evaluate(([at, way, fast]) => {
       const {player} = window.whittle;
       player.setSpeed(fast);
-      window.whittle.showPlace(at);
-      if (way !== 0) window.whittle.play(way);
+      window.whittle.playing.stopAt(at);
+      if (way !== 0) window.whittle.playing.play(way);
       return player.place;
     }, [place, direction, speed]);
     if (direction !== 0) await this.wait(([at]) => window.whittle.player.place !== at, [begin], 'it plays');
@@ -82,7 +84,7 @@ class Visitor {
       \param isOfPlayer whether only those of the player are meant, or only the others; otherwise all are */
   controls(isOfPlayer = null) {
     return this.page.evaluate((ofPlayer) => {
-      const all = document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex], [contenteditable]');
+      const all = document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]:not([tabindex="-1"]), [contenteditable]');
       const isMeant = (e) => ofPlayer === null || Boolean(e.closest('#player')) === ofPlayer;
       return [...all].filter((e) => e.offsetParent !== null && !e.disabled && isMeant(e)).map((e) => e.id || e.tagName.toLowerCase());
     }, isOfPlayer);
@@ -94,9 +96,24 @@ class Visitor {
 
   /** Presses a button or a box. */
   async press(name, by) {
-    if (by !== 'keys') return this.click(await this.point(name, 0.5, 0.5), by);
+    if (by === 'mouse') return this.click(await this.point(name, 0.5, 0.5), by);
+    if (by === 'touch') return this.tap(name);
     await this.focus(name);
     return this.page.keyboard.press(name === 'summary' ? 'Enter' : 'Space');
+  }
+
+  /** Taps again where the browser takes a tap for the end of a movement: soon after the page has scrolled. */
+  async tap(name) {
+    await this.page.evaluate((control) => {
+      window.isTapped = false;
+      const element = document.getElementById(control) ?? document.querySelector(control);
+      element.addEventListener('click', () => { window.isTapped = true; }, {capture: true, once: true});
+    }, name);
+    for (let i = 0; i < 5; ++i) {
+      await this.click(await this.point(name, 0.5, 0.5), 'touch');
+      if (await this.page.waitForFunction(() => window.isTapped, null, {timeout: 1000}).then(() => true, () => false)) return;
+    }
+    throw new Error(`${name} is not tapped`);
   }
 
   /** \param name id or tag of a control */

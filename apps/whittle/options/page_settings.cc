@@ -21,14 +21,16 @@ struct PageSetting {
   double least = -infinite;
   double most = infinite;
 };
-constexpr std::array<PageSetting, 18> page_settings{{
-    {"layout", "beside|over|original|result"},
+constexpr std::array<PageSetting, 20> page_settings{{
+    {"layout", "beside|over|original|result|split"},
     {"result", "", true, 0},
+    {"split", "", true, 0, 1},
     {"colour", "none|error|valence|shape|material|colours|normals|texcoord|colour|normal"},
     {"top", "usual|1|0.5|0.2|0.1"},
     {"ghost", "transparent|edges|points"},
     {"shading", "flat|smooth|file"},
     {"up", "y|z|x"},
+    {"faces", "on|off"},
     {"edges", "on|off"},
     {"borders", "on|off"},
     {"nonmanifold", "on|off"},

@@ -34,11 +34,34 @@ std::string faces_with_commas(std::size_t n) {
   return digits + (n == 1 ? " face" : " faces");
 }
 
-void put_beside(RgbPicture& picture, const render::Picture& pane, std::size_t left) {
+/// Where a pane is in a picture, in pixels from the left and the top. `begin` and `end` bound what is seen of it.
+struct PaneBox {
+  std::size_t left, top, width, height, begin, end;
+};
+
+/// As the boxes of panes in view.js.
+std::vector<PaneBox> pane_boxes(const PictureView& view, const std::string& layout, const PictureSize& size) {
+  constexpr std::size_t narrow = 480;
+  const std::size_t width = size.width;
+  const std::size_t height = size.height;
+  if (layout == "split") {
+    const auto at = static_cast<std::size_t>(std::lround(view.split * static_cast<double>(width)));
+    return {{0, 0, width, height, 0, at}, {0, 0, width, height, at, width}};
+  }
+  if (layout != "beside") return {{0, 0, width, height, 0, width}};
+  if (height > width || width < narrow) {
+    const std::size_t lower = height / 2;
+    return {{0, 0, width, height - lower, 0, width}, {0, height - lower, width, lower, 0, width}};
+  }
+  const std::size_t half = (width + 1) / 2;
+  return {{0, 0, half, height, 0, half}, {half, 0, width - half, height, half, width}};
+}
+
+void put_pane(RgbPicture& picture, const render::Picture& pane, const PaneBox& box) {
   for (std::size_t y = 0; y < pane.height; ++y) {
-    for (std::size_t x = 0; x < pane.width; ++x) {
+    for (std::size_t x = box.begin - box.left; x < box.end - box.left; ++x) {
       for (std::size_t k = 0; k < 3; ++k) {
-        picture.bytes[3 * (y * picture.width + left + x) + k] =
+        picture.bytes[3 * ((box.top + y) * picture.width + box.left + x) + k] =
             static_cast<std::uint8_t>(std::lround(pane.pixels[y * pane.width + x][k] * 255));
       }
     }
@@ -59,6 +82,7 @@ class MeshPicture {
     for (const ShownSurface& result : meshes.results) results_.push_back({&result, color_of_results});
     choose_result();
     choose_colour();
+    if (view_.shading.empty()) view_.shading = has_normals() ? "file" : "flat";
     for (ShownModel& result : results_) result.other = whole(original_);
     if (compared_ != nullptr) original_.other = whole(*compared_);
     layout_ = result_ == nullptr ? "original" : view.layout;
@@ -67,14 +91,16 @@ class MeshPicture {
   RgbPicture draw() {
     RgbPicture picture{size_.width, size_.height, std::vector<std::uint8_t>(3 * size_.width * size_.height)};
     const std::vector<ShownModel> panes = models_of_panes();
-    const auto edge = [&](std::size_t i) { return (2 * picture.width * i + panes.size()) / (2 * panes.size()); };
+    const std::vector<PaneBox> boxes = pane_boxes(view_, layout_, size_);
     for (std::size_t i = 0; i < panes.size(); ++i) {
-      put_beside(picture, draw_pane(panes[i], {edge(i + 1) - edge(i), picture.height, color_of_ground}), edge(i));
+      const PaneBox& box = boxes[i];
+      if (box.begin == box.end) continue;
+      put_pane(picture, draw_pane(panes[i], {box.width, box.height, color_of_ground}), box);
     }
-    if (!view_.is_plain) {
-      for (std::size_t i = 0; i < panes.size(); ++i) {
-        draw_label(picture, label_of(panes[i], i), edge(i), picture.width / 2);
-      }
+    if (layout_ == "split") draw_divider(picture, boxes[1].begin);
+    for (std::size_t i = 0; !view_.is_plain && i < panes.size(); ++i) {
+      const std::size_t room = layout_ == "split" ? picture.width / 2 : boxes[i].end - boxes[i].begin;
+      draw_label(picture, label_of(panes[i], i), {boxes[i].begin, boxes[i].top}, room);
     }
     draw_legend(picture, legend());
     return picture;
@@ -111,9 +137,14 @@ class MeshPicture {
     colour_ = any_has("material") ? "material" : any_has("colours") ? "colours" : "none";
   }
 
+  bool has_normals() const {
+    return original_.has("normals") ||
+           std::any_of(results_.begin(), results_.end(), [](const ShownModel& model) { return model.has("normals"); });
+  }
+
   /// Without what is laid over them.
   std::vector<ShownModel> models_of_panes() const {
-    if (layout_ == "beside") return {original_, *result_};
+    if (layout_ == "beside" || layout_ == "split") return {original_, *result_};
     return {layout_ == "original" ? original_ : *result_};
   }
 
@@ -187,7 +218,7 @@ class MeshPicture {
     return colour_ == "normal" ? "angle between normals, degrees" : "distance, model units";
   }
 
-  const PictureView& view_;
+  PictureView view_;
   const PictureSize& size_;
   unsigned threads_;
   std::vector<std::string>& warnings_;

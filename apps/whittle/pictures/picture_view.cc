@@ -15,12 +15,14 @@ PictureView picture_view(const PageSettings& settings) {
     return [chosen](const std::string& text) { return text == chosen; };
   };
   set("layout", view.layout, word);
+  set("split", view.split, number);
   set("result", view.result, whole);
   set("colour", view.colour, word);
   set("top", view.top, word);
   set("ghost", view.ghost, word);
   set("shading", view.shading, word);
   set("up", view.up, word);
+  set("faces", view.faces, is("on"));
   set("edges", view.edges, is("on"));
   set("borders", view.borders, is("on"));
   set("nonmanifold", view.nonmanifold, is("on"));

@@ -17,13 +17,15 @@ using PageSettings = std::map<std::string, std::string>;
 
 /// How pictures of meshes are set up: as the page is that has these settings.
 struct PictureView {
-  std::string layout = "beside";  ///< beside, over, original, result
+  std::string layout = "beside";  ///< beside, over, original, result, split
+  double split = 0.5;             ///< where the original ends and the result begins: a share of the width, [0, 1]
   int result = -1;                ///< its number; below 0: as the page opens
   std::string colour;             ///< empty: what the meshes look like
   std::string top = "usual";      ///< where the scale of errors ends
   std::string ghost = "transparent";
-  std::string shading = "flat";
+  std::string shading;  ///< flat, smooth, file; empty: by the normals of the file, or flat if it has none
   std::string up = "y";
+  bool faces = true;
   bool edges = false;
   bool borders = true;
   bool nonmanifold = true;

@@ -1,10 +1,12 @@
-// build.mjs FOLDER OUT.cc: puts the viewer together, script and style within the page, and writes it as a C++ string.
+// build.mjs FOLDER OUT.cc: puts the viewer together, script and style within the page, and writes it as a C++ string. The
+// viewer is compressed; a small script unpacks it.
 // FOLDER has node_modules with what package.json names.
 import {createHash} from 'node:crypto';
 import {readFileSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
+import {deflateSync} from 'node:zlib';
 
 const [folder, output] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
@@ -29,18 +31,19 @@ async function bundle(file) {
 /// What a content security policy allows to run.
 const hash = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 
-const script = await bundle('src/main.js');
+const viewer = await bundle('src/main.js');
+const script = await bundle('src/loader.js');
 const style = (await bundle('style.css')).trim();
 const policy = [
   "default-src 'none'",
-  `script-src ${hash(script)} 'wasm-unsafe-eval'`,
+  `script-src ${hash(script)} ${hash(viewer)} 'wasm-unsafe-eval'`,
   `style-src ${hash(style)}`,
   "base-uri 'none'",
   "form-action 'none'",
 ].join('; ');
 
-const contents = {policy, script, style};
-const page = readFileSync(join(here, 'page.html'), 'utf8').replace(/\{\{(policy|script|style)\}\}/g, (_, word) => contents[word]);
+const contents = {policy, viewer: deflateSync(viewer, {level: 9}).toString('base64'), script, style};
+const page = readFileSync(join(here, 'page.html'), 'utf8').replace(/\{\{(policy|viewer|script|style)\}\}/g, (_, word) => contents[word]);
 
 const delimiter = 'whittle_page';
 const length = 15000; // some compilers take no longer string literals

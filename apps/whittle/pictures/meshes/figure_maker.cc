@@ -76,7 +76,7 @@ FigureMaker::FigureMaker(const PictureView& view, std::string colour, double top
 
 void FigureMaker::add(const ShownModel& model) {
   if (model.surface->mesh.faces.empty()) return;
-  add_faces(model, 1);
+  if (view_.faces) add_faces(model, 1);
   if (view_.edges) add_edges(model);
   if (colour_ == "valence") add_valences(model);
   if (!model.is_level) add_borders(model);

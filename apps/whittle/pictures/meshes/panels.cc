@@ -21,6 +21,7 @@ constexpr std::size_t least_step = 18;  // width of a colour
 constexpr std::size_t least_gap = 12;   // between ticks
 constexpr render::Rgb color_of_text = rgb_of(0x1C1C1A);
 constexpr render::Rgb color_of_panel = rgb_of(0xFFFFFF);
+constexpr render::Rgb color_of_divider = rgb_of(0x0B62A8);
 constexpr float opacity_of_panels = 0.92F;
 
 struct Rectangle {
@@ -152,7 +153,13 @@ void draw_scale(RgbPicture& picture, const PanelRow& row, const Rectangle& bar) 
 
 }  // namespace
 
-void draw_label(RgbPicture& picture, const std::string& text, std::size_t left, std::size_t width) {
+void draw_divider(RgbPicture& picture, std::size_t x) {
+  constexpr std::size_t width = 2;
+  const std::size_t left = std::min(x - std::min(x, width / 2), picture.width - std::min(picture.width, width));
+  fill(picture, {left, 0, std::min(width, picture.width), picture.height}, color_of_divider);
+}
+
+void draw_label(RgbPicture& picture, const std::string& text, const PanelCorner& corner, std::size_t width) {
   constexpr std::size_t least = 8;  // characters
   constexpr std::size_t share_percent = 92;
   const std::size_t room = width * share_percent / 100;
@@ -160,7 +167,8 @@ void draw_label(RgbPicture& picture, const std::string& text, std::size_t left, 
   const std::vector<std::string> lines = wrapped(drawable(text), most);
   std::size_t widest = 0;
   for (const std::string& line : lines) widest = std::max(widest, width_of(line));
-  const Rectangle box{left + margin, margin, widest + 2 * padding, lines.size() * row_height + 4};
+  Rectangle box{corner.left + margin, corner.top + margin, widest + 2 * padding, lines.size() * row_height + 4};
+  if (box.left + box.width > picture.width) box.left = picture.width - std::min(picture.width, box.width + margin);
   fill_panel(picture, box);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     draw_text(picture, lines[i], box.left + padding, box.top + 5 + i * row_height);

@@ -17,9 +17,16 @@ struct PanelRow {
   double top = 0;                     ///< value at the end of an even scale
 };
 
-/// Names what is in a part of a picture, at its upper left corner.
-/// \param left, width of the part, pixels
-void draw_label(RgbPicture& picture, const std::string& text, std::size_t left, std::size_t width);
+/// Pixels from the left and from the top.
+struct PanelCorner {
+  std::size_t left, top;
+};
+
+/// Names what is in a part of a picture. \param corner upper left corner of the part \param width for the text, pixels
+void draw_label(RgbPicture& picture, const std::string& text, const PanelCorner& corner, std::size_t width);
+
+/// A vertical line. \param x pixels from the left
+void draw_divider(RgbPicture& picture, std::size_t x);
 
 /// Says what colours mean, at the lower right corner. Nothing without rows.
 void draw_legend(RgbPicture& picture, const std::vector<PanelRow>& rows);

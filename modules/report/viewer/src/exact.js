@@ -55,7 +55,7 @@ export class ExactColours {
   }
 
   /** \param key tells views apart
-      \param panes of each: `surface`, its `geometry`, whether it `isSmooth`, and the `other` surface; or null */
+      \param panes of each: `surface`, the `moment` of it, its `geometry`, whether it `isSmooth`, and the `other` surface; or null */
   start(key, panes) {
     if (this.key === key) return;
     this.key = key;
@@ -69,13 +69,17 @@ export class ExactColours {
     this.onDone();
   }
 
-  treeOf(surface) {
-    if (!this.trees.has(surface)) this.trees.set(surface, new FaceTree(surface));
-    return this.trees.get(surface);
+  /** \param moment of a surface that changes: another tree is made for another one */
+  treeOf(surface, moment = 0) {
+    const known = this.trees.get(surface);
+    if (known?.moment === moment) return known.tree;
+    const tree = new FaceTree(surface.onGrid?.() ?? surface);
+    this.trees.set(surface, {moment, tree});
+    return tree;
   }
 
   *find(panes) {
-    const boxes = this.view.boxesOfPanes();
+    const boxes = this.view.sharpBoxes();
     this.makeTarget();
     for (let i = 0; i < panes.length; ++i) if (panes[i]) yield* this.drawPlaces(panes[i], boxes[i]);
     const depths = new Float32Array(this.target.width * this.target.height);
@@ -95,6 +99,7 @@ export class ExactColours {
         depthTexture: new DepthTexture(width, height)});
     }
     this.target.viewport.set(0, 0, width, height);
+    this.target.scissorTest = false;
     renderer.setRenderTarget(this.target);
     renderer.setClearColor(0, 0);
     renderer.clear();
@@ -102,15 +107,17 @@ export class ExactColours {
   }
 
   /** Finds out how far away the surface is at each pixel of a pane. */
-  *drawPlaces({geometry, isSmooth}, {left, width, height}) {
+  *drawPlaces({geometry, isSmooth, surface}, {left, bottom, width, height, begin, end}) {
     const {renderer, camera} = this.view;
     const mesh = new Mesh(geometry, this.placeMaterial);
     mesh.frustumCulled = false;
     this.placeMaterial.uniforms.isSmooth.value = isSmooth;
     const scene = new Scene().add(mesh);
-    this.target.viewport.set(left, 0, width, height);
-    for (let first = 0; first < geometry.getIndex().count; first += 3 * mostAtOnce) {
-      geometry.setDrawRange(first, 3 * mostAtOnce);
+    this.target.viewport.set(left, bottom, width, height);
+    this.target.scissor.set(begin, bottom, end - begin, height);
+    this.target.scissorTest = true;
+    for (let first = 0; first < 3 * surface.nFaces; first += 3 * mostAtOnce) {
+      geometry.setDrawRange(first, Math.min(3 * mostAtOnce, 3 * surface.nFaces - first));
       renderer.setRenderTarget(this.target);
       renderer.render(scene, camera);
       renderer.setRenderTarget(null);
@@ -124,15 +131,15 @@ export class ExactColours {
 
   /** The distance to the other surface at each pixel of a pane. Graphics processors round where corners are to a share
       of a pixel, so the points that they see are put back onto the surface. */
-  *measure({surface, other}, box, depths, values) {
-    const [own, others] = [this.treeOf(surface), this.treeOf(other)];
+  *measure({surface, moment, other}, box, depths, values) {
+    const [own, others] = [this.treeOf(surface, moment), this.treeOf(other)];
     yield* own.finish();
     yield* others.finish();
     const begin = new Vector3();
     const point = new Vector3();
     for (let row = 0; row < box.height; ++row) {
-      for (let column = 0; column < box.width; ++column) {
-        const i = row * this.target.width + box.left + column;
+      for (let column = box.begin - box.left; column < box.end - box.left; ++column) {
+        const i = (row + box.bottom) * this.target.width + box.left + column;
         if (depths[i] === 0) continue;
         this.placeOf(column, row, box, depths[i], point);
         this.placeOf(column, row, box, this.view.camera.near, begin);

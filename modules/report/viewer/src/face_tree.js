@@ -1,5 +1,6 @@
 // The faces of a surface in a tree of boxes: which is nearest to a point, and where a ray meets one.
 import {Triangle, Vector3} from 'three';
+import {unit} from './surface.js';
 
 const mostOfLeaf = 4; // faces
 const mostOpen = 128; // Each cut halves a box of 16-bit numbers or a number of faces: the tree is less deep.
@@ -133,6 +134,11 @@ export class FaceTree {
     const {toPoint} = this;
     [toPoint.x, toPoint.y, toPoint.z] = [x, y, z];
     return Math.sqrt(this.search(toPoint));
+  }
+
+  /** The same of a point whose coordinates are 0 … 1 along the longest side. */
+  distanceOfUnit(x, y, z) {
+    return this.distance({x: unit * x, y: unit * y, z: unit * z});
   }
 
   /** Puts a point that is nearly on the surface onto it: where a ray to it first meets it, or else where it is closest. */

@@ -3,20 +3,22 @@ import {Vector3} from 'three';
 import {scales, short, showLegend, showNote, showRefusals} from './colours.js';
 import {readPage} from './data.js';
 import {ExactColours} from './exact.js';
+import {errorText, facesText, fillLabel, lengthUnit, placeLabels} from './facts.js';
 import {rowsOfKeys, setUpKeys} from './keys.js';
+import {LevelErrors} from './level_errors.js';
 import {loadImages} from './look.js';
 import {Model} from './model.js';
 import {Motion} from './motion.js';
-import {Player} from './player.js';
+import {PlayerControls} from './player_controls.js';
+import {setUpClicks, setUpFingers} from './pointing.js';
 import {Recording} from './recording.js';
 import {doInSlices} from './slices.js';
+import {Spot} from './spot.js';
 import {Surface, unit} from './surface.js';
 import {View} from './view.js';
-
-const longestFrame = 0.25; // seconds that the player goes on by at once, also after the page was out of sight
+import {worstOfLevel, worstOfSurface} from './worst.js';
 
 const $ = (id) => document.getElementById(id);
-const inWords = (n, one, many) => `${n.toLocaleString('en')} ${n === 1 ? one : many}`;
 
 /** The box around a surface. */
 function boxOf(surface) {
@@ -37,18 +39,15 @@ class App {
   constructor({json, array}, images) {
     this.json = json;
     const original = new Surface(json.original, array, images);
-    this.original = new Model(original, '#9db4c8');
-    this.results = json.results.map((result) => new Model(new Surface(result, array, images), '#d9b382'));
-    this.recording = json.recording && new Recording(json.recording, array, original);
-    if (this.recording) this.results.unshift(new Model(this.recording, '#d9b382'));
-    // What stands in the way of fewer faces is to be seen at once.
-    this.result = this.results.find((model) => model.surface.refusals.length > 0) ??
-      this.results.find((model) => model.surface.look) ?? this.results[0] ?? null;
+    const box = boxOf(original);
+    this.diagonal = box.high.distanceTo(box.low) * unit * json.step; // model units
     this.isDrawn = true; // what was asked for
     this.isWhole = false; // what is drawn: sharp, with all faces, and in exact colours
     this.nDescribed = 0;
     this.motion = new Motion((wasQuick) => this.onRest(wasQuick));
-    this.view = new View($('canvas'), boxOf(original), () => this.onView());
+    this.view = new View($('canvas'), box, () => this.onView());
+    this.spot = new Spot($('spot'), this.view);
+    this.makeModels(original, array, images);
     this.exact = new ExactColours(this.view, () => this.draw());
     for (const model of [this.original, ...this.results]) this.view.scene.add(model.group);
     this.setUpChoices();
@@ -59,6 +58,18 @@ class App {
     this.apply();
   }
 
+  makeModels(original, array, images) {
+    const {json, view} = this;
+    const resultColour = '#d9b382';
+    this.original = new Model(original, '#9db4c8', view.behind);
+    this.results = json.results.map((result) => new Model(new Surface(result, array, images), resultColour, view.behind));
+    this.recording = json.recording && new Recording(json.recording, array, original);
+    if (this.recording) this.results.unshift(new Model(this.recording, resultColour, view.behind));
+    // What stands in the way of fewer faces is to be seen at once.
+    this.result = this.results.find((model) => model.surface.refusals.length > 0) ??
+      this.results.find((model) => model.surface.look) ?? this.results[0] ?? null;
+  }
+
   setUpChoices() {
     this.results.forEach((model, i) => $('result').add(new Option(model.surface.name, i)));
     if (this.result) $('result').value = this.results.indexOf(this.result);
@@ -67,8 +78,9 @@ class App {
       $('layout').value = 'original';
     }
     const surfaces = [this.original, ...this.results].map(({surface}) => surface);
-    const hasErrors = surfaces.some(({distances}) => distances);
+    const hasErrors = surfaces.some(({distances}) => distances) || this.recording?.levels.length > 0;
     $('colour').querySelector('[value=error]').disabled = !hasErrors;
+    $('worst').hidden = !hasErrors;
     this.addColours();
   }
 
@@ -81,20 +93,17 @@ class App {
     const error = $('colour').querySelector('[value=error]');
     for (const [colour, name] of names) error.before(new Option(name, colour));
     error.after(...[...errors].map(([colour, name]) => new Option(name, colour)));
-    if (hasAny('normals')) $('shading').add(new Option('normals of the file', 'file'));
+    if (hasAny('normals')) {
+      $('shading').add(new Option('normals of the file', 'file'));
+      $('shading').value = 'file';
+    }
     $('colour').value = ['material', 'colours'].find(hasAny) ?? 'none';
   }
 
   setUpPlayer() {
-    $('player').hidden = false;
     const model = this.results[0];
-    this.player = new Player(this.recording, (positions) => {
-      model.update(positions);
-      this.showLevel();
-      this.draw();
-    });
-    this.player.goTo(1);
-    this.isPlaying = false;
+    this.playing = new PlayerControls(this, this.recording, (positions) => model.update(positions));
+    this.player = this.playing.player;
   }
 
   /** Sets the controls as the address says: "#colour=error&edges=on". "plain" leaves out names, "level" is the place in
@@ -104,13 +113,13 @@ class App {
     const number = (key, otherwise) => Number.isFinite(Number(settings.get(key))) ? Number(settings.get(key)) : otherwise;
     if (settings.has('plain')) document.body.classList.add('plain');
     for (const [key, value] of settings) this.setControl(key, value);
-    if (this.player) this.setUpMovement();
+    if (this.player) this.playing.setUpMovement();
     this.result = this.results[Number($('result').value)] ?? this.result;
     if (settings.has('level') && this.player) {
       if (!settings.has('result')) this.showRecording();
       this.player.stopAt(number('level', 1));
     }
-    this.view.setPanes(this.layout() === 'beside' ? 2 : 1);
+    this.setPanes();
     this.view.setUp($('up').value);
     this.view.fit();
     this.view.rotate(-number('turn', 0) * Math.PI / 180, -number('tilt', 0) * Math.PI / 180);
@@ -123,6 +132,7 @@ class App {
       control.value = value;
     }
     if (control instanceof HTMLInputElement && control.type === 'checkbox') control.checked = value === 'on';
+    if (key === 'split' && value >= 0 && value <= 1) control.value = 1000 * value;
   }
 
   // What is chosen ---------------------------------------------------------------------------------------------------
@@ -130,6 +140,11 @@ class App {
   layout() {
     const layout = $('layout').value;
     return this.result ? layout : 'original';
+  }
+
+  setPanes() {
+    const layout = this.layout();
+    this.view.setPanes(['beside', 'split'].includes(layout) ? 2 : 1, layout === 'split' ? Number($('split').value) / 1000 : null);
   }
 
   /** Where the scale of errors ends, in their unit. */
@@ -141,6 +156,7 @@ class App {
 
   apply() {
     const models = [this.original, this.result].filter((model) => model);
+    if ($('colour').value === 'error' && this.result?.isMoving) this.useLevelErrors();
     for (const model of models) model.setColour($('colour').value, $('shading').value);
     const top = this.greatestShown();
     for (const model of models) model.setScale(scales.error, top);
@@ -149,12 +165,28 @@ class App {
     $('result').closest('label').hidden = this.results.length < 2 || this.layout() === 'original';
     for (const lines of ['borders', 'nonmanifold']) $(lines).disabled = this.shownModels().every(({surface}) => surface[lines].length === 0);
     this.forgetWhatWasDescribed();
+    this.setPanes();
     this.showLegend($('colour').value, top);
     this.showReasons();
     this.showLabels();
-    this.view.setPanes(this.layout() === 'beside' ? 2 : 1);
     if (!this.hasExactColours()) this.exact.stop();
     this.draw();
+  }
+
+  /** Colours the recording by its errors from now on. The scale is that of its last level. */
+  useLevelErrors() {
+    const model = this.result;
+    if (model.errors || !(this.recording.levels.length > 0)) return;
+    const {max} = this.recording.levels.at(-1);
+    const scale = this.results.find(({surface}) => surface.distances)?.surface.distances ?? {max, usual: max};
+    const tree = this.exact.treeOf(this.original.surface);
+    const errors = new LevelErrors(this.recording, scale, tree, this.json.step);
+    model.setErrors(errors);
+    doInSlices(tree.finish()).then(() => {
+      errors.isReady = true;
+      model.updateErrors();
+      this.draw();
+    });
   }
 
   /** The models that are in the picture. */
@@ -169,7 +201,7 @@ class App {
     $('top').closest('label').hidden = !shown.some((model) => model.range()?.max > 0);
     legend.replaceChildren();
     if (map) showLegend(legend, map.title, scales.error, top);
-    else if (shown.some((model) => model.range())) showLegend(legend, 'distance, model units', scales.error, top);
+    else if (shown.some((model) => model.range())) showLegend(legend, `distance, ${lengthUnit}`, scales.error, top);
     if (colour === 'normals') showNote(legend, 'normals: x, y, z from −1 to 1 as red, green, blue');
     if (colour === 'shape') showLegend(legend, 'radius ratio 2r/R, 1 is equilateral', scales.shape, 1);
     if (colour === 'valence') showLegend(legend, 'edges at a vertex', scales.valence);
@@ -189,38 +221,44 @@ class App {
     $('advice').textContent = this.json.advice;
   }
 
-  showLabels() {
-    const text = ({surface}) => `${surface.name}: ${inWords(surface.nFaces, 'face', 'faces')}${surface.note ? `. ${surface.note}` : ''}`;
-    const layout = this.layout();
-    const left = layout === 'result' ? this.result : this.original;
-    const compared = left === this.original && left.range() && layout !== 'original' ? this.comparedWithOriginal() : this.result;
-    $('left-label').textContent = text(left) + (compared !== this.result ? `, compared with ${compared.surface.name}` : '') +
-      (layout === 'over' ? `, over ${text(this.result)}` : '');
-    $('right-label').textContent = layout === 'beside' ? text(this.result) : '';
+  /** What is known of a model, a line each. */
+  linesOf({surface}) {
+    const isOriginal = surface === this.original.surface;
+    const error = surface === this.recording ? this.playing.error() : surface.error;
+    return [surface.name, facesText(surface.nFaces, isOriginal ? null : this.original.surface.nFaces), error && errorText(error, this.diagonal),
+      surface.note];
   }
 
-  showLevel() {
-    const {recording, player} = this;
-    const error = recording.errorAt(recording.nFaces);
-    const about = error && error.faces !== recording.nFaces ? 'about ' : '';
-    $('level').textContent = inWords(recording.nFaces, 'face', 'faces') + `, ${inWords(recording.nContractions, 'contraction', 'contractions')}` +
-      (error ? `; error ${about}${short(error.mean)} on average, ${short(error.max)} at most (model units)` : '');
-    $('slider').value = 1000 * player.place;
-    $('speed').textContent = `speed ${player.speed >= 1 ? player.speed : `1/${1 / player.speed}`}`;
-    $('play').textContent = player.direction > 0 ? 'Pause' : 'Play';
-    $('back').textContent = player.direction < 0 ? 'Pause' : 'Backwards';
-    $('previous').disabled = player.isAtEnd(-1);
-    $('next').disabled = player.isAtEnd(1);
-    $('slower').disabled = player.isSlowest();
-    $('faster').disabled = player.isFastest();
-    if (this.result?.surface === recording) this.showLabels();
+  showLabels() {
+    const layout = this.layout();
+    const left = layout === 'result' ? this.result : this.original;
+    const lines = this.linesOf(left);
+    const compared = left === this.original && left.range() && layout !== 'original' ? this.comparedWithOriginal() : this.result;
+    if (compared !== this.result) lines.push(`compared with ${compared.surface.name}`);
+    if (layout === 'over') lines.push('over:', ...this.linesOf(this.result));
+    fillLabel($('left-label'), lines);
+    fillLabel($('right-label'), this.view.panes > 1 ? this.linesOf(this.result) : []);
+    this.placeWhatLiesOver();
+  }
+
+  placeWhatLiesOver() {
+    const {view} = this;
+    placeLabels([$('left-label'), $('right-label')], view.boxes(), view);
+    for (const id of ['split', 'divider']) $(id).hidden = view.split === null;
+    if (view.split !== null) $('divider').style.left = `${Math.round(view.split * view.width)}px`;
+    this.spot.follow();
+  }
+
+  /** The level of the recording is another one. */
+  onLevel() {
+    if (this.result?.surface === this.recording && this.playing) this.showLabels();
+    this.spot.hide();
+    this.draw();
   }
 
   applyTheme() {
     const style = getComputedStyle(document.documentElement);
     this.background = style.getPropertyValue('--ground').trim();
-    const isDark = window.matchMedia('(prefers-color-scheme: dark)').matches && !window.matchMedia('print').matches;
-    for (const model of [this.original, ...this.results]) model.setLineColour(isDark ? '#0c0c0c' : '#202020');
     this.draw();
   }
 
@@ -237,9 +275,10 @@ class App {
     if (this.hasExactColours()) this.startExactColours(); else if (wasQuick) this.draw();
   }
 
-  /** The models of the panes, left to right, without what is laid over them. */
+  /** The models of the panes, left to right or from above, without what is laid over them. */
   modelsOfPanes() {
-    return {beside: [this.original, this.result], original: [this.original]}[this.layout()] ?? [this.result];
+    const both = [this.original, this.result];
+    return {beside: both, split: both, original: [this.original]}[this.layout()] ?? [this.result];
   }
 
   /** The model that errors of the original are differences to. */
@@ -247,25 +286,27 @@ class App {
     return this.results.find(({surface}) => surface.distances) ?? this.result;
   }
 
-  /** The surface that distances of a model go to; null if it is not all in the page. */
+  /** The surface that distances of a model go to; null if it is not all in the page, or while the model plays. */
   otherOf(model) {
+    if (model.isMoving) return model.errors && !this.playing.isPlaying ? this.original.surface : null;
     const other = model === this.original ? this.comparedWithOriginal() : this.original;
     return model.surface.distances && other?.surface.note === '' ? other.surface : null;
   }
 
   hasExactColours() {
-    return $('colour').value === 'error' && this.modelsOfPanes().some((model) => this.otherOf(model));
+    return $('colour').value === 'error' && $('faces').checked && this.modelsOfPanes().some((model) => this.otherOf(model));
   }
 
   keyOfExactColours() {
-    return [this.view.key(), this.layout(), this.results.indexOf(this.result), $('shading').value].join();
+    const models = this.modelsOfPanes();
+    return [this.view.key(), this.layout(), this.results.indexOf(this.result), $('shading').value, ...models.map((model) => this.otherOf(model) && model.moment)].join();
   }
 
   startExactColours() {
     const isSmooth = $('shading').value !== 'flat';
     this.exact.start(this.keyOfExactColours(), this.modelsOfPanes().map((model) => {
       const other = this.otherOf(model);
-      return other && {surface: model.surface, geometry: model.wholeGeometry(), isSmooth, other};
+      return other && {surface: model.surface, moment: model.moment, geometry: model.wholeGeometry(), isSmooth, other};
     }));
   }
 
@@ -281,18 +322,23 @@ class App {
     if (!this.view || !this.background) return;
     const hasExactColours = this.hasExactColours();
     const isExact = hasExactColours && this.exact.isDoneFor(this.keyOfExactColours());
-    const isQuick = !isExact && (this.motion.beginFrame() || hasExactColours && this.motion.isSlow);
-    this.view.setSharp(!isQuick);
+    const moving = isExact ? 0 : this.motion.beginFrame();
+    const roughness = moving || (hasExactColours && !isExact ? Math.min(1, this.motion.roughness) : 0);
+    const isQuick = roughness > 0;
+    this.view.setRoughness(roughness);
     for (const model of [this.original, this.result]) model?.useCoarse(isQuick);
-    this.view.draw(this.panes(isExact), this.background);
+    const hasLines = $('edges').checked || this.layout() === 'over' && $('ghost').value === 'edges';
+    this.view.draw(this.panes(isExact), this.background, hasLines);
+    this.spot.follow();
     this.isWhole = !isQuick && isExact === hasExactColours;
     if (hasExactColours && !this.motion.isMoving) this.startExactColours();
     if (!document.documentElement.dataset.ready) document.documentElement.dataset.ready = Math.round(performance.now());
   }
 
-  /** Functions that show what is to be seen in each pane, left to right. */
+  /** Functions that show what is to be seen in each pane. */
   panes(isExact) {
-    const chosen = {edges: $('edges').checked, borders: $('borders').checked, nonmanifold: $('nonmanifold').checked, refused: $('refused').checked};
+    const boxes = ['faces', 'edges', 'borders', 'nonmanifold', 'refused'];
+    const chosen = Object.fromEntries(boxes.map((id) => [id, $(id).checked]));
     const only = (...shown) => {
       for (const model of [this.original, ...this.results]) model.group.visible = shown.includes(model);
     };
@@ -326,13 +372,6 @@ class App {
     return 'drawn';
   }
 
-  /** Stands still at a place in the recording, and shows it. \param place 0 … 1 */
-  showPlace(place) {
-    if (!this.player) return;
-    this.showRecording();
-    this.player.stopAt(place);
-  }
-
   /** What the player does is to be in the picture. */
   showRecording() {
     if (this.result.surface === this.recording && this.layout() !== 'original') return;
@@ -342,126 +381,115 @@ class App {
     this.apply();
   }
 
-  play(direction) {
-    this.showRecording();
-    this.player.play(direction);
-    this.showLevel();
-    if (this.isPlaying || this.player.direction === 0) return;
-    this.isPlaying = true;
-    this.lastMoment = null;
-    requestAnimationFrame((moment) => this.advance(moment));
-  }
-
-  advance(moment) {
-    const seconds = this.lastMoment === null ? 0 : Math.min(longestFrame, (moment - this.lastMoment) / 1000);
-    this.lastMoment = moment;
-    this.isPlaying = this.player.advance(seconds);
-    if (this.isPlaying) requestAnimationFrame((next) => this.advance(next)); else this.showLevel();
-  }
-
   // Events -----------------------------------------------------------------------------------------------------------
 
   setUpEvents() {
-    for (const id of ['layout', 'ghost', 'shading', 'colour', 'top', 'edges', 'borders', 'nonmanifold', 'refused']) {
+    for (const id of ['layout', 'ghost', 'shading', 'colour', 'top', 'faces', 'edges', 'borders', 'nonmanifold', 'refused']) {
       $(id).addEventListener('change', () => this.apply());
     }
     $('result').addEventListener('change', () => {
       this.result = this.results[Number($('result').value)];
       this.apply();
     });
+    $('split').addEventListener('input', () => {
+      this.setPanes();
+      this.placeWhatLiesOver();
+    });
     $('fit').addEventListener('click', () => this.view.fit());
+    $('worst').addEventListener('click', () => this.showWorst());
     $('up').addEventListener('change', () => {
       this.view.setUp($('up').value);
       this.view.fit();
     });
-    new ResizeObserver(() => this.view.resize()).observe($('canvas'));
+    $('numbers').addEventListener('click', () => {
+      $('tables').scrollIntoView();
+      $('tables').focus({preventScroll: true});
+    });
+    $('help').addEventListener('click', () => $('keys').showModal());
+    $('close').addEventListener('click', () => $('keys').close());
+    this.setUpWindow();
+    setUpKeys($('key-list'), rowsOfKeys({...this, describeMiddles: () => this.describeMiddles()}));
+    this.setUpPicking();
+  }
+
+  setUpWindow() {
+    new ResizeObserver(() => {
+      this.view.resize();
+      this.showLabels();
+    }).observe($('canvas'));
     for (const query of ['(prefers-color-scheme: dark)', 'print']) {
       window.matchMedia(query).addEventListener('change', () => this.applyTheme());
     }
-    setUpKeys($('keys'), rowsOfKeys({...this, describeMiddles: () => this.describeMiddles()}));
     window.addEventListener('hashchange', () => {
       this.followAddress();
       this.apply();
     });
-    this.setUpPicking();
-    if (this.player) this.setUpPlayerEvents();
   }
 
-  setUpPlayerEvents() {
-    const on = (id, event, act) => $(id).addEventListener(event, act);
-    const stepBy = (n) => {
-      this.showRecording();
-      this.player.stepBy(n);
-    };
-    on('slider', 'input', () => this.showPlace(Number($('slider').value) / 1000));
-    on('play', 'click', () => this.play(1));
-    on('back', 'click', () => this.play(-1));
-    on('next', 'click', () => stepBy(1));
-    on('previous', 'click', () => stepBy(-1));
-    on('faster', 'click', () => this.changeSpeed(2));
-    on('slower', 'click', () => this.changeSpeed(0.5));
-    for (const id of ['movement', 'spacing']) {
-      on(id, 'change', () => {
-        this.showRecording();
-        this.setUpMovement();
-      });
-    }
-  }
+  // Places -----------------------------------------------------------------------------------------------------------
 
-  /** As the controls say. */
-  setUpMovement() {
-    this.player.isContinuous = $('movement').value === 'continuous';
-    this.player.isByFaces = $('spacing').value === 'faces';
-    this.player.goTo(this.player.place);
-  }
-
-  changeSpeed(factor) {
-    this.player.setSpeed(this.player.speed * factor);
-    this.showLevel();
-  }
-
-  /** A click without a drag says what is there. */
+  /** A click without a drag says what is there; a second one goes there. */
   setUpPicking() {
-    let down = null;
-    $('canvas').addEventListener('pointerdown', (event) => { down = [event.clientX, event.clientY]; });
-    $('canvas').addEventListener('pointerup', (event) => {
-      if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4) this.describe([event]);
+    setUpFingers($('canvas'), this.view);
+    setUpClicks($('canvas'), {
+      onClick: (event) => this.describe([event]),
+      onDoubleClick: (event) => {
+        const {hit} = this.hitAt(event);
+        if (hit) this.view.focus(hit.point); else this.view.fit();
+      },
     });
+  }
+
+  hitAt(point) {
+    return this.view.pick(point, this.modelsOfPanes().map((model) => model.faces));
   }
 
   /** Says what is in the middle of each pane. */
   describeMiddles() {
-    const {left, top, height} = $('canvas').getBoundingClientRect();
-    return this.describe(this.view.spansOfPanes().map((span) =>
-      ({clientX: left + span.left + span.width / 2, clientY: top + height / 2})), 'There is nothing in the middle.');
+    const {left, top} = $('canvas').getBoundingClientRect();
+    return this.describe(this.view.boxes().map((box) =>
+      ({clientX: left + (box.begin + box.end) / 2, clientY: top + this.view.height - box.bottom - box.height / 2})), 'There is nothing in the middle.');
   }
 
   /** Says what is at points of the window, unless it is asked for something else meanwhile. */
   async describe(points, otherwise = '') {
     const number = ++this.nDescribed;
-    const texts = [];
-    for (const point of points) texts.push(await this.textAt(point));
-    if (number === this.nDescribed) $('status').textContent = texts.filter((text) => text).join('; ') || otherwise;
+    const places = [];
+    for (const point of points) places.push(await this.placeAt(point));
+    if (number !== this.nDescribed) return;
+    const found = places.filter((place) => place);
+    this.say(found.map(({text}) => text).join('; ') || otherwise);
+    if (found.length > 0) this.spot.show(found[0].point, found[0].pane, found[0].text); else this.spot.hide();
+  }
+
+  say(text) {
+    $('status').textContent = text;
   }
 
   forgetWhatWasDescribed() {
     ++this.nDescribed;
-    $('status').textContent = '';
+    this.say('');
+    this.spot.hide();
   }
 
-  async textAt(point) {
-    const models = this.modelsOfPanes();
-    const {pane, hit} = this.view.pick(point, models.map((model) => model.faces));
-    if (!hit) return '';
-    const model = models[pane];
-    const place = this.toModel(hit.point).map(short).join(', ');
+  async placeAt(windowPoint) {
+    const {pane, hit} = this.hitAt(windowPoint);
+    if (!hit) return null;
+    const model = this.modelsOfPanes()[pane];
     const value = await this.valueAt(model, hit);
     const meaning = {error: 'distance', shape: 'radius ratio'}[model.colour] ?? model.range()?.value;
-    return `${model.surface.name}: (${place})${meaning && value !== null ? `, ${meaning} ${short(value)}` : ''}`;
+    const unitOfValue = model.colour === 'error' ? ` ${lengthUnit}` : '';
+    const text = meaning && value !== null ? `${meaning} ${short(value)}${unitOfValue}, ` : '';
+    return {pane, point: hit.point, text: text + this.textOf(model, hit.point)};
   }
 
-  toModel(point) {
-    return point.toArray().map((coordinate, d) => this.json.origin[d] + coordinate * unit * this.json.step);
+  textOf(model, point) {
+    return `${model.surface.name} at (${this.toModel(point.toArray()).map(short).join(', ')})`;
+  }
+
+  /** \param coordinates in the scene */
+  toModel(coordinates) {
+    return Array.from(coordinates, (coordinate, d) => this.json.origin[d] + coordinate * unit * this.json.step);
   }
 
   /** What the colour means at a point of a face. */
@@ -471,6 +499,43 @@ class App {
     const tree = this.exact.treeOf(other);
     await doInSlices(tree.finish());
     return tree.distance(hit.point.clone().multiplyScalar(unit)) * this.json.step;
+  }
+
+  /** Goes to the place with the largest error of what is shown, in its colours. */
+  async showWorst() {
+    $('colour').value = 'error';
+    this.apply();
+    const number = ++this.nDescribed;
+    const places = [];
+    const models = this.shownModels();
+    for (const model of models) {
+      const worst = await this.worstOf(model);
+      if (worst) places.push({model, ...worst});
+    }
+    if (number !== this.nDescribed || places.length === 0) return;
+    const {model, value, point, normal} = places.reduce((a, b) => b.value > a.value ? b : a);
+    this.view.focus(point, normal);
+    this.keepInSplit(model);
+    const text = `Largest distance ${short(value)} ${lengthUnit}, ${this.textOf(model, point)}`;
+    this.say(text);
+    this.spot.show(point, this.layout() === 'over' ? 0 : models.indexOf(model), text);
+  }
+
+  /** Moves the line between before and after aside, where it hides the middle of a model. */
+  keepInSplit(model) {
+    const aside = 100;
+    const {value} = $('split');
+    $('split').value = model === this.original ? Math.max(value, 500 + aside) : Math.min(value, 500 - aside);
+    this.setPanes();
+    this.placeWhatLiesOver();
+  }
+
+  async worstOf(model) {
+    if (model.surface.distances) return worstOfSurface(model.surface);
+    if (!model.errors) return null;
+    await doInSlices(this.exact.treeOf(this.original.surface).finish());
+    await doInSlices(model.errors.finish(model.position.array));
+    return worstOfLevel(model.surface, model.errors);
   }
 }
 

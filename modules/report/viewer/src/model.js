@@ -1,12 +1,13 @@
 // What is drawn of a mesh: its faces, in one of several colourings, its edges, its vertices, and lines along its borders.
 import {
   BufferAttribute, BufferGeometry, Color, ColorManagement, DoubleSide, GLSL3, Group, InterleavedBuffer, InterleavedBufferAttribute, LineBasicMaterial,
-  LineSegments, Mesh, Points, PointsMaterial, ShaderMaterial, Vector3,
+  LessDepth, LineSegments, Mesh, Points, PointsMaterial, ShaderMaterial, Vector3,
 } from 'three';
 import {refusalColours, scales, textureOf, valenceClass} from './colours.js';
 import {useFaces} from './look.js';
-import {faceShader, vertexShader} from './shaders.js';
+import {faceShader, lineShader, lineVertexShader, vertexShader} from './shaders.js';
 import {edgesOf, radiusRatio, valences} from './surface.js';
+import {lineLayer} from './view.js';
 
 ColorManagement.enabled = false; // colours are shown as they are written
 
@@ -22,6 +23,14 @@ function faceMaterial(front, opacity) {
   });
 }
 
+/** Dark or bright, as is better seen on what is behind. Lines along borders, which have a colour, stay as they are. */
+function lineMaterial(behind) {
+  return new ShaderMaterial({
+    glslVersion: GLSL3, vertexShader: lineVertexShader, fragmentShader: lineShader, transparent: true, depthWrite: false, depthFunc: LessDepth,
+    uniforms: {behind},
+  });
+}
+
 /** Geometry with positions as 16-bit numbers, four a vertex; the fourth one is a signed distance, if anything. */
 function packedGeometry(positions, corners) {
   const buffer = new InterleavedBuffer(positions, 4);
@@ -33,9 +42,10 @@ function packedGeometry(positions, corners) {
 }
 
 export class Model {
-  /** \param surface a Surface or a Recording */
-  constructor(surface, colour) {
+  /** \param surface a Surface or a Recording \param behind a uniform: what edges are drawn over */
+  constructor(surface, colour, behind) {
     this.surface = surface;
+    this.errors = null; // of the vertices of a recording's level, once they are wanted
     this.isMoving = surface.positions instanceof Float32Array;
     this.group = new Group();
     this.position = this.isMoving ? new BufferAttribute(surface.positions.slice(), 3)
@@ -44,9 +54,9 @@ export class Model {
     this.ghostMaterial = faceMaterial(colour, 0.35);
     this.plain = this.plainGeometry();
     this.faces = new Mesh(this.plain, this.material);
-    this.lineMaterial = new LineBasicMaterial({color: '#202020', transparent: true, opacity: 0.55});
     this.pointMaterial = new PointsMaterial({color: colour, size: 2, sizeAttenuation: false});
-    this.edges = this.lines(new Uint32Array(0), this.lineMaterial);
+    this.edges = this.lines(new Uint32Array(0), lineMaterial(behind));
+    this.edges.layers.set(lineLayer);
     this.borders = this.lines(surface.borders, new LineBasicMaterial({color: '#d55e00'}));
     this.nonmanifold = this.lines(surface.nonmanifold, new LineBasicMaterial({color: '#cc0066', depthTest: false}));
     this.refusals = surface.refusals.map(({pairs}, i) =>
@@ -103,7 +113,7 @@ export class Model {
 
   /** Of the colouring: something with `max` and `usual`, and where its values come from; or null. */
   range() {
-    return this.colour === 'error' ? this.surface.distances : this.surface.look?.mapOf(this.colour) ?? null;
+    return this.colour === 'error' ? this.surface.distances ?? this.errors : this.surface.look?.mapOf(this.colour) ?? null;
   }
 
   /** Whether there is something to see in the colouring. */
@@ -177,7 +187,7 @@ export class Model {
     if (map) this.faces.geometry.setAttribute('value', new BufferAttribute(look.shares(map), 1));
     for (const {uniforms} of [this.material, this.ghostMaterial]) {
       uniforms.isScaled.value = colour === 'shape' || this.range() !== null;
-      uniforms.isSigned.value = colour === 'error';
+      uniforms.isSigned.value = colour === 'error' && !this.isMoving;
       uniforms.areNormals.value = colour === 'normals' && this.showsLook(colour);
       if (colour === 'shape') uniforms.scale.value = textureOf(scales.shape);
     }
@@ -252,7 +262,7 @@ export class Model {
     if (sum === 0) return null;
     const interpolated = [face.a, face.b, face.c].reduce((so_far, v, i) => so_far + weights[i] / sum * value.getX(v), 0);
     if (this.colour === 'shape') return interpolated;
-    const share = this.colour === 'error' ? Math.abs(interpolated * 65535 - 32768) / 32767 : interpolated;
+    const share = this.colour === 'error' && !this.isMoving ? Math.abs(interpolated * 65535 - 32768) / 32767 : interpolated;
     return this.range() && share * this.range().max;
   }
 
@@ -276,8 +286,8 @@ export class Model {
 
   /** What is drawn. \param ghost '' for the whole surface, or how it is drawn in front of another one
       \param areFacesDrawn whether something else has drawn the whole surface already */
-  show({edges, borders, nonmanifold, refused, ghost = '', areFacesDrawn = false}) {
-    this.faces.visible = ghost === '' && !areFacesDrawn || ghost === 'transparent';
+  show({faces, edges, borders, nonmanifold, refused, ghost = '', areFacesDrawn = false}) {
+    this.faces.visible = ghost === '' && faces && !areFacesDrawn || ghost === 'transparent';
     this.faces.material = ghost === '' ? this.shown : this.ghostMaterial;
     this.faces.renderOrder = ghost === '' ? 0 : 1;
     this.points.visible = ghost === 'points';
@@ -308,6 +318,7 @@ export class Model {
   /** Takes over what the recording has now. \param positions of this moment, of its vertices */
   update(positions) {
     ++this.moment;
+    this.surface.shownPositions = positions;
     this.position.array.set(positions);
     this.position.needsUpdate = true;
     const {plain} = this;
@@ -320,10 +331,17 @@ export class Model {
       plain.setDrawRange(0, 3 * this.surface.nFaces);
     }
     this.setColour(this.colour);
+    if (this.colour === 'error') this.updateErrors();
     if (this.edges.visible) this.updateEdges();
   }
 
-  setLineColour(colour) {
-    this.lineMaterial.color.set(colour);
+  /** Colours a recording's levels by the errors of their vertices from now on. */
+  setErrors(errors) {
+    this.errors = errors;
+    this.plain.setAttribute('value', new BufferAttribute(errors.values, 1));
+  }
+
+  updateErrors() {
+    if (this.errors?.update(this.position.array)) this.plain.getAttribute('value').needsUpdate = true;
   }
 }

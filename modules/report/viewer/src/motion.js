@@ -1,14 +1,19 @@
-// Whether the view moves, and whether drawing all of it takes too long then.
+// Whether the view moves, and how much of it can be drawn in time then.
 
 const slow = 1000 / 30; // milliseconds a frame
+const nSlowFrames = 3; // of a roughness, after which it is not enough
 const rest = 200; // milliseconds without a movement
 
+/** How roughly a moving view is drawn: 0 as it rests; 1 with fewer faces, and a pixel for each of the screen; 2 with fewer
+    pixels, too. */
+const roughest = 2;
+
 export class Motion {
-  /** \param onRest is called when a movement has ended, with whether frames were drawn quickly */
+  /** \param onRest is called when a movement has ended, with whether frames were drawn roughly */
   constructor(onRest) {
     this.onRest = onRest;
     this.isMoving = false;
-    this.isSlow = false;
+    this.roughness = 0; // that is needed here
     this.lastFrame = null;
     this.nSlow = 0;
   }
@@ -25,18 +30,21 @@ export class Motion {
     clearTimeout(this.timer);
     this.isMoving = false;
     this.lastFrame = null;
-    this.onRest(this.isSlow);
+    this.onRest(this.roughness > 0);
   }
 
-  /** \return whether the frame is to be drawn quickly */
+  /** \return how roughly the frame is to be drawn */
   beginFrame() {
-    if (!this.isMoving) return false;
+    if (!this.isMoving) return 0;
     const now = performance.now();
     if (this.lastFrame !== null) {
       this.nSlow = now - this.lastFrame > slow ? this.nSlow + 1 : 0;
-      if (this.nSlow >= 1) this.isSlow = true;
+      if (this.nSlow >= (this.roughness === 0 ? 1 : nSlowFrames)) {
+        this.roughness = Math.min(roughest, this.roughness + 1);
+        this.nSlow = 0;
+      }
     }
     this.lastFrame = now;
-    return this.isSlow;
+    return this.roughness;
   }
 }

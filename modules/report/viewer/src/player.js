@@ -48,6 +48,21 @@ export class Player {
     this.show(recording.positions);
   }
 
+  /** Where the slider is at a number of contractions. */
+  placeOf(nContractions) {
+    const {facesAfter, removed} = this.recording;
+    if (!this.isByFaces) return removed.length > 0 ? nContractions / removed.length : 1;
+    const first = facesAfter[0];
+    const last = Math.max(1, facesAfter[facesAfter.length - 1]);
+    return first > last ? Math.log(Math.max(last, facesAfter[nContractions]) / first) / Math.log(last / first) : 1;
+  }
+
+  /** Stands still at the first level with at most so many faces. */
+  goToFaces(nFaces) {
+    const {recording} = this;
+    this.stopAt(this.placeOf(recording.contractionsOfFaces(nFaces)));
+  }
+
   /** The level at a place; between two levels, where vertices move from one to the other, a number between theirs. */
   levelAt(place) {
     if (!this.isContinuous) return this.stepOf(place);

@@ -33,12 +33,14 @@ export class Recording {
     this.nonmanifold = new Uint32Array(0);
     this.refusals = [];
     this.distances = null;
+    this.error = null; // it depends on the level: errorAt
     this.look = null;
     this.name = 'level of the run';
     this.note = '';
     this.version = 0;
     this.nVertices = original.nVertices;
     this.positions = original.unitPositions();
+    this.shownPositions = this.positions; // between two levels, others
     this.faceCorners = original.corners.slice();
     this.isHidden = new Uint8Array(original.nFaces);
     this.step = 0;
@@ -235,6 +237,15 @@ export class Recording {
     }
   }
 
+  /** What is shown, for a FaceTree: four numbers a vertex, in steps of the grid. */
+  onGrid() {
+    const positions = new Float32Array(4 * this.nVertices);
+    for (let v = 0; v < this.nVertices; ++v) {
+      for (let d = 0; d < 3; ++d) positions[4 * v + d] = unit * this.shownPositions[3 * v + d];
+    }
+    return {positions, corners: this.corners, nFaces: this.nFaces};
+  }
+
   goTo(step) {
     while (this.step < step) this.isEndNext() ? this.endPass() : this.contract();
     while (this.step > step) this.isEndLast() ? this.undoEnd() : this.undoContraction();
@@ -271,13 +282,18 @@ export class Recording {
 
   /** The first level with at most nFaces faces, or the last one. */
   stepOfFaces(nFaces) {
+    return this.stepAfter(this.contractionsOfFaces(nFaces));
+  }
+
+  /** The contractions up to it. */
+  contractionsOfFaces(nFaces) {
     let low = 0;
     let high = this.removed.length;
     while (low < high) {
       const middle = (low + high) >> 1;
       if (this.facesAfter[middle] > nFaces) low = middle + 1; else high = middle;
     }
-    return this.stepAfter(low);
+    return low;
   }
 
   /** Whether vertices can move from one level to the other: polish between them flips no edge. */
@@ -301,6 +317,21 @@ export class Recording {
     const goal = new Float32Array(last.length);
     for (let v = 0; v < into.length; ++v) goal.set(last.subarray(3 * into[v], 3 * into[v] + 3), 3 * v);
     return {from, to, start: this.positions.slice(), goal};
+  }
+
+  /** The contractions up to the level with the fewest faces whose largest error is at most `limit`, by `errorAt`; null if
+      all measured levels are farther. */
+  contractionsWithin(limit) {
+    const {levels, facesAfter} = this;
+    const i = levels.findLastIndex(({max}) => max <= limit);
+    if (i < 0) return null;
+    let enough = this.contractionsOfFaces(levels[i].faces);
+    let tooMany = i + 1 < levels.length ? this.contractionsOfFaces(levels[i + 1].faces) : enough + 1;
+    while (tooMany - enough > 1) {
+      const middle = enough + tooMany >> 1;
+      if (this.errorAt(facesAfter[middle]).max <= limit) enough = middle; else tooMany = middle;
+    }
+    return enough;
   }
 
   /** The mean and largest error at a number of faces, interpolated between measured levels on logarithmic scales. */

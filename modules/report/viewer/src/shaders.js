@@ -111,6 +111,20 @@ void main() {
   lightness = vec4(light());
 }`;
 
+export const lineVertexShader = `
+void main() {
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}`;
+
+/** Black where it is bright behind the line, white where it is dark. */
+export const lineShader = `
+uniform sampler2D behind;
+out vec4 colour;
+void main() {
+  float brightness = dot(texelFetch(behind, ivec2(gl_FragCoord.xy), 0).rgb, vec3(0.299, 0.587, 0.114));
+  colour = vec4(vec3(brightness > 0.4 ? 0.0 : 1.0), 0.5);
+}`;
+
 /** A triangle that covers the whole pane. */
 export const paneShader = `
 void main() {

@@ -11,6 +11,7 @@ export class Surface {
   constructor(json, array, images) {
     this.name = json.name;
     this.note = json.note;
+    this.error = json.error; // {mean, max}, sampled, of a result; or null
     this.nVertices = json.vertices;
     this.nFaces = json.faces;
     this.positions = array(json.positions, Uint16Array); // four numbers a vertex, the last one 0

@@ -1,6 +1,13 @@
-// The camera, and how the meshes lie beside or over each other.
-import {Color, PerspectiveCamera, Quaternion, Raycaster, Scene, Spherical, Vector2, Vector3, WebGLRenderer, LinearSRGBColorSpace} from 'three';
+// The camera, and how the meshes lie beside, below or over each other.
+import {
+  Color, FramebufferTexture, LinearSRGBColorSpace, PerspectiveCamera, Quaternion, Raycaster, Scene, Spherical, Vector2, Vector3, WebGLRenderer,
+} from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
+
+/** The layer of what is drawn over everything else, by the colours that are there. */
+export const lineLayer = 1;
+
+const narrow = 480; // pixels: panes are below each other
 
 export class View {
   /** \param box {low, high}: what is to be seen \param onChange is called when another drawing is needed */
@@ -14,9 +21,11 @@ export class View {
     this.center = new Vector3().addVectors(box.low, box.high).multiplyScalar(0.5);
     this.radius = Math.max(1e-6, box.high.distanceTo(box.low) / 2);
     this.onChange = onChange;
+    this.behind = {value: null}; // a uniform: what is drawn below the lines
     this.setUp('y');
     this.panes = 1;
-    this.setSharp(true);
+    this.split = null; // a share of the width, where one pane ends and the other begins; null: they don't overlap
+    this.setRoughness(0);
     this.resize();
     this.fit();
   }
@@ -41,9 +50,9 @@ export class View {
     this.fitPanes();
   }
 
-  /** Several pixels for each of the screen, which smooths what is drawn. */
-  setSharp(isSharp) {
-    const wanted = isSharp ? this.sharpRatio() : Math.min(1, window.devicePixelRatio || 1);
+  /** \param roughness of a moving view; at 0 there are several pixels for each of the screen, which smooths what is drawn */
+  setRoughness(roughness) {
+    const wanted = [this.sharpRatio(), Math.min(1, window.devicePixelRatio || 1), 0.5][roughness];
     if (this.renderer.getPixelRatio() !== wanted) this.renderer.setPixelRatio(wanted);
   }
 
@@ -56,34 +65,46 @@ export class View {
     return {width: Math.floor(this.width * this.sharpRatio()), height: Math.floor(this.height * this.sharpRatio())};
   }
 
-  /** The panes among them. */
-  boxesOfPanes() {
-    const ratio = this.sharpRatio();
-    return this.spansOfPanes().map(({left, width}) => (
-      {left: Math.round(left * ratio), width: Math.round(width * ratio), height: Math.round(this.height * ratio)}));
+  /** The first pane's box, then the second's, in pixels from the left and from the bottom. `begin` and `end` bound what
+      is seen of it. Two are beside each other, in a high or narrow window below each other, or where one picture is split. */
+  boxes() {
+    const {width, height, panes, split} = this;
+    const whole = {left: 0, bottom: 0, width, height};
+    const at = split === null ? 0 : Math.round(split * width);
+    if (split !== null) return [{...whole, begin: 0, end: at}, {...whole, begin: at, end: width}];
+    if (panes === 1) return [{...whole, begin: 0, end: width}];
+    if (height > width || width < narrow) {
+      const lower = height >> 1;
+      return [{...whole, bottom: lower, height: height - lower, begin: 0, end: width}, {...whole, height: lower, begin: 0, end: width}];
+    }
+    const half = Math.round(width / 2);
+    return [{...whole, width: half, begin: 0, end: half}, {...whole, left: half, width: width - half, begin: half, end: width}];
   }
 
-  spansOfPanes() {
-    const edge = (i) => Math.round(this.width * i / this.panes);
-    return Array.from({length: this.panes}, (_, i) => ({left: edge(i), width: edge(i + 1) - edge(i)}));
+  /** The same, in the pixels of the canvas when it is sharp. */
+  sharpBoxes() {
+    const ratio = this.sharpRatio();
+    return this.boxes().map((box) => Object.fromEntries(Object.entries(box).map(([key, value]) => [key, Math.round(value * ratio)])));
   }
 
   /** Of two views that look the same. */
   key() {
     this.camera.updateMatrixWorld();
     const {matrixWorld, projectionMatrix} = this.camera;
-    return [this.panes, ...Object.values(this.sharpSize()), ...matrixWorld.elements, ...projectionMatrix.elements].join();
+    return [this.panes, this.split, ...Object.values(this.sharpSize()), ...matrixWorld.elements, ...projectionMatrix.elements].join();
   }
 
-  setPanes(n) {
-    if (n === this.panes) return;
-    this.panes = n;
+  /** \param split a share of the width, of one picture in two panes */
+  setPanes(n, split = null) {
+    if (n === this.panes && split === this.split) return;
+    [this.panes, this.split] = [n, split];
     this.fitPanes();
   }
 
   /** Lets the camera see what has the shape of a pane. */
   fitPanes() {
-    this.camera.aspect = this.width / this.panes / this.height;
+    const {width, height} = this.boxes()[0];
+    this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.onChange();
   }
@@ -99,6 +120,17 @@ export class View {
     this.camera.far = distance * 100;
     this.camera.updateProjectionMatrix();
     this.controls.update();
+    this.onChange();
+  }
+
+  /** Turns around a point from now on, half as far away from it. \param direction to look at it from; or as before */
+  focus(point, direction = null) {
+    const {camera, controls} = this;
+    const distance = Math.max(this.radius / 50, camera.position.distanceTo(controls.target) / 2);
+    const from = direction ?? camera.position.clone().sub(controls.target);
+    controls.target.copy(point);
+    camera.position.copy(point).addScaledVector(from.normalize(), distance);
+    controls.update();
     this.onChange();
   }
 
@@ -131,34 +163,72 @@ export class View {
     this.onChange();
   }
 
-  /** \param panes functions that show what is to be seen in each, left to right */
-  draw(panes, background) {
-    const {renderer, width, height} = this;
+  /** \param panes functions that show what is to be seen in each \param hasLines whether they show lines of `lineLayer` */
+  draw(panes, background, hasLines) {
+    const {renderer, camera, width, height} = this;
     renderer.setClearColor(new Color(background));
     renderer.setScissorTest(false);
     renderer.setViewport(0, 0, width, height);
     renderer.clear();
     renderer.setScissorTest(true);
-    this.spansOfPanes().forEach((span, i) => {
-      renderer.setViewport(span.left, 0, span.width, height);
-      renderer.setScissor(span.left, 0, span.width, height);
+    camera.layers.set(0);
+    this.drawPanes(panes);
+    if (!hasLines) return;
+    this.copyPicture();
+    camera.layers.set(lineLayer);
+    this.drawPanes(panes);
+    camera.layers.set(0);
+  }
+
+  drawPanes(panes) {
+    const {renderer} = this;
+    this.boxes().forEach(({left, bottom, width, height, begin, end}, i) => {
+      if (begin === end) return;
+      renderer.setViewport(left, bottom, width, height);
+      renderer.setScissor(begin, bottom, end - begin, height);
       panes[i]();
       renderer.render(this.scene, this.camera);
     });
   }
 
+  /** Lets lines know what is drawn behind them. */
+  copyPicture() {
+    const {width, height} = this.renderer.getDrawingBufferSize(new Vector2());
+    if (this.behind.value?.image.width !== width || this.behind.value?.image.height !== height) {
+      this.behind.value?.dispose();
+      this.behind.value = new FramebufferTexture(width, height);
+    }
+    this.renderer.copyFramebufferToTexture(this.behind.value);
+  }
+
+  /** The pane at a point of the window, and where in it. \return {pane, x, y}: −1 … 1 to the right and upwards */
+  paneAt({clientX, clientY}) {
+    const canvas = this.canvas.getBoundingClientRect();
+    const x = clientX - canvas.left;
+    const y = canvas.top + this.height - clientY;
+    const boxes = this.boxes();
+    const pane = Math.max(0, boxes.findIndex(({begin, end, bottom, height}) => x >= begin && x < end && y >= bottom && y < bottom + height));
+    const {left, bottom, width, height} = boxes[pane];
+    return {pane, x: 2 * (x - left) / width - 1, y: 2 * (y - bottom) / height - 1};
+  }
+
+  /** Where a point is seen in a pane, in pixels from the left and the top of the canvas; null if it isn't. */
+  placeOf(point, pane) {
+    this.camera.updateMatrixWorld();
+    const seen = point.clone().project(this.camera);
+    const {left, bottom, width, height, begin, end} = this.boxes()[pane];
+    const x = left + (seen.x + 1) / 2 * width;
+    const y = bottom + (seen.y + 1) / 2 * height;
+    const isSeen = seen.z < 1 && x >= begin && x <= end && y >= bottom && y <= bottom + height;
+    return isSeen ? {x, y: this.height - y} : null;
+  }
+
   /** What is seen at a point of the window. \return {pane, hit}, without `hit` where there is nothing */
   pick(event, meshes) {
-    const box = this.canvas.getBoundingClientRect();
-    const x = event.clientX - box.left - this.canvas.clientLeft;
-    const y = event.clientY - box.top - this.canvas.clientTop;
-    const spans = this.spansOfPanes();
-    const pane = Math.max(0, spans.findLastIndex(({left}) => left <= x));
-    const {left, width} = spans[pane];
-    const at = new Vector2(2 * (x - left) / width - 1, 1 - 2 * y / this.height);
+    const {pane, x, y} = this.paneAt(event);
     this.camera.updateMatrixWorld(); // it may have moved since the last picture
     const raycaster = new Raycaster();
-    raycaster.setFromCamera(at, this.camera);
+    raycaster.setFromCamera(new Vector2(x, y), this.camera);
     return {pane, hit: raycaster.intersectObject(meshes[pane], false)[0]};
   }
 }
