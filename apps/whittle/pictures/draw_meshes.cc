@@ -41,7 +41,6 @@ struct PaneBox {
 
 /// As the boxes of panes in view.js.
 std::vector<PaneBox> pane_boxes(const PictureView& view, const std::string& layout, const PictureSize& size) {
-  constexpr std::size_t narrow = 480;
   const std::size_t width = size.width;
   const std::size_t height = size.height;
   if (layout == "split") {
@@ -49,7 +48,7 @@ std::vector<PaneBox> pane_boxes(const PictureView& view, const std::string& layo
     return {{0, 0, width, height, 0, at}, {0, 0, width, height, at, width}};
   }
   if (layout != "beside") return {{0, 0, width, height, 0, width}};
-  if (height > width || width < narrow) {
+  if (height > width) {
     const std::size_t lower = height / 2;
     return {{0, 0, width, height - lower, 0, width}, {0, height - lower, width, lower, 0, width}};
   }

@@ -7,8 +7,6 @@ import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 /** The layer of what is drawn over everything else, by the colours that are there. */
 export const lineLayer = 1;
 
-const narrow = 480; // pixels: panes are below each other
-
 export class View {
   /** \param box {low, high}: what is to be seen \param onChange is called when another drawing is needed */
   constructor(canvas, box, onChange) {
@@ -66,14 +64,14 @@ export class View {
   }
 
   /** The first pane's box, then the second's, in pixels from the left and from the bottom. `begin` and `end` bound what
-      is seen of it. Two are beside each other, in a high or narrow window below each other, or where one picture is split. */
+      is seen of it. Two are beside each other, in a high window below each other, or where one picture is split. */
   boxes() {
     const {width, height, panes, split} = this;
     const whole = {left: 0, bottom: 0, width, height};
     const at = split === null ? 0 : Math.round(split * width);
     if (split !== null) return [{...whole, begin: 0, end: at}, {...whole, begin: at, end: width}];
     if (panes === 1) return [{...whole, begin: 0, end: width}];
-    if (height > width || width < narrow) {
+    if (height > width) {
       const lower = height >> 1;
       return [{...whole, bottom: lower, height: height - lower, begin: 0, end: width}, {...whole, height: lower, begin: 0, end: width}];
     }
