@@ -334,4 +334,4 @@ async function usesTheKey(visitor, key, about) {
   }
 }
 
-module.exports = {usesThePlayer, usesTheView, usesTheKeys, known: [...Object.keys({...lists, ...boxes, ...buttons, ...inputs}), 'slider', 'canvas', 'summary', 'save', 'div']};
+module.exports = {usesThePlayer, usesTheView, usesTheKeys, known: [...Object.keys({...lists, ...boxes, ...buttons, ...inputs}), 'slider', 'canvas', 'summary', 'save', 'div', 'pre']};
