@@ -41,8 +41,13 @@ class CutTree {
     int axis = 0;
     bounds_of(sample).sizes().maxCoeff(&axis);
     const auto n_below = static_cast<std::ptrdiff_t>(static_cast<double>(sample.size()) * share);
-    std::nth_element(sample.begin(), sample.begin() + n_below, sample.end(),
-                     [axis](const Vec3& p, const Vec3& q) { return p[axis] < q[axis]; });
+    // A total order: where points are level, each standard library would choose others.
+    std::nth_element(sample.begin(), sample.begin() + n_below, sample.end(), [axis](const Vec3& p, const Vec3& q) {
+      for (const int i : {axis, (axis + 1) % 3, (axis + 2) % 3}) {
+        if (p[i] != q[i]) return p[i] < q[i];
+      }
+      return false;
+    });
     cuts_[node] = {axis, sample[static_cast<std::size_t>(n_below)][axis]};
     cut(sample.first(static_cast<std::size_t>(n_below)), 2 * node, 0.5);
     cut(sample.subspan(static_cast<std::size_t>(n_below)), 2 * node + 1, 0.5);
