@@ -6,6 +6,9 @@ program_packages=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libnanofla
 build_packages=("${program_packages[@]}" libwebp-dev libpng-dev libjpeg-dev libegl-dev libgl-dev libgl1-mesa-dri
   libgtest-dev libgmock-dev)
 
+# What the npm package takes: Clang and libraries for WebAssembly.
+web_packages=(clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc binaryen)
+
 say() { printf '== %s\n' "$*"; }
 
 fail() {

@@ -93,8 +93,7 @@ packages=("${build_packages[@]}" git mold)
 with_python=(-DWHITTLE_PYTHON=OFF)
 if [ "$mode" = whole ]; then
   packages+=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen cmark-gfm groff-base pkg-config chromium
-    firefox-esr xvfb xauth
-    python3-dev python3-numpy python3-venv blender python3-paraview)
+    firefox-esr xvfb xauth python3-dev python3-numpy python3-venv blender python3-paraview "${web_packages[@]}")
 fi
 install_packages "$logs/packages.log" "${packages[@]}"
 install_npm "$logs/npm-packages.log"
@@ -104,7 +103,7 @@ if [ "$mode" = quick ]; then
   exit
 fi
 
-step "npm: what checks glTF files and drives the browser"
+step "npm: what checks glTF files, drives the browser and stands beside the npm package"
 mkdir -p build/npm
 cp tests/npm/package.json build/npm/
 quietly "$logs/npm.log" npm install --prefix build/npm --no-package-lock --no-audit --no-fund
@@ -123,7 +122,7 @@ quietly "$logs/format.log" check_format
 
 # The modules and the program as users build them.
 step "GCC: building everything optimised, warnings are errors"
-configure_release "${with_python[@]}"
+configure_release "${with_python[@]}" -DWHITTLE_WEB=ON
 build release
 
 step "Doxygen: the site of pages and reference, warnings are errors"
