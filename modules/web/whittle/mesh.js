@@ -20,7 +20,7 @@ function attributesOf(mesh, n) {
   if (mesh.texcoords) all.push({name: 'texcoords', kind: 'texcoord', itemSize: 2, values: mesh.texcoords});
   if (mesh.colors) all.push({name: 'colors', kind: 'color', itemSize: mesh.colors.length / n, values: mesh.colors});
   for (const [name, given] of Object.entries(mesh.attributes ?? {})) {
-    const attribute = given.values === undefined ? {values: given} : given;
+    const attribute = Array.isArray(given) || ArrayBuffer.isView(given) ? {values: given} : given;
     const itemSize = attribute.itemSize ?? attribute.values.length / n;
     all.push({name, kind: attribute.kind ?? 'scalar', itemSize, values: attribute.values});
   }
