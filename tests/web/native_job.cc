@@ -1,6 +1,9 @@
 // Does natively what the package does in WebAssembly, to compare bytes: native_job FOLDER NAME=VALUE...
+// With times=N it runs N times more, and prints the median in milliseconds.
 // FOLDER has positions and indices, maybe normals, uv and groups, each in a file of raw numbers. Writes the result's
 // there.
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -40,6 +43,12 @@ void set(const std::string& given, Job& job) {
   set_option(given.substr(0, equals), {value, end == value.c_str() ? std::nan("") : number, is_percent}, job.settings);
 }
 
+double milliseconds_of(Job& job) {
+  const auto start = std::chrono::steady_clock::now();
+  job.simplify();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 }  // namespace
 
 int main(int n_arguments, char** arguments) {
@@ -57,9 +66,21 @@ int main(int n_arguments, char** arguments) {
       job.mesh.group_names.push_back(std::to_string(job.mesh.group_names.size()));
     }
   }
-  for (int i = 2; i < n_arguments; ++i) set(arguments[i], job);
+  int n_times = 0;
+  for (int i = 2; i < n_arguments; ++i) {
+    const std::string given = arguments[i];
+    if (given.starts_with("times=")) {
+      n_times = std::atoi(given.c_str() + 6);
+    } else {
+      set(given, job);
+    }
+  }
   try {
     job.simplify();
+    std::vector<double> times;
+    for (int i = 0; i < n_times; ++i) times.push_back(milliseconds_of(job));
+    std::sort(times.begin(), times.end());
+    if (!times.empty()) std::cout << times[times.size() / 2] << '\n';
   } catch (const std::exception& problem) {
     std::cout << problem.what() << '\n';
     return 1;

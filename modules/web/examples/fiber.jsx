@@ -1,4 +1,5 @@
-// A mesh of React Three Fiber that draws a geometry with a share of its faces: <Simplified geometry={…} faceRatio={0.1} />
+// A mesh of React Three Fiber that draws a geometry with a share of its faces:
+// <Simplified geometry={geometry} faceRatio={0.1}><meshStandardMaterial /></Simplified>
 import {useEffect, useState} from 'react';
 import {simplifyGeometryInWorker} from 'whittle-mesh/three';
 
