@@ -22,11 +22,18 @@ std::vector<std::uint8_t> locked_outputs(const std::vector<std::uint8_t>& locked
   return result;
 }
 
-/// Passes the progress of polish on to `decimate.progress`.
-ProgressCallback polish_progress(const DecimateOptions& decimate, const DecimateResult& result) {
+/// Passes the progress of polish on to `decimate.progress`. The mesh stays as it is until polish ends.
+ProgressCallback polish_progress(const DecimateOptions& decimate, const Decimation& decimation) {
   if (!decimate.progress) return {};
   return [&](const TaskProgress& progress) {
-    return decimate.progress({result.n_vertices, result.n_faces, progress.fraction, Stage::polish});
+    const auto surface = [&mesh = decimation.mesh] {
+      IndexedMesh bare;
+      bare.positions = mesh.positions;
+      bare.faces = mesh.faces;
+      return bare;
+    };
+    const DecimateResult& result = decimation.result;
+    return decimate.progress({result.n_vertices, result.n_faces, progress.fraction, Stage::polish, surface});
   };
 }
 
@@ -68,7 +75,7 @@ PolishOptions DecimationPolisher::polish_options(const SimplifyOptions& options,
   result.shape_weight = shape_weight_of(decimate);
   result.recompute_normals = false;  // in the end, after attributes are fitted
   result.threads = decimate.threads;
-  result.progress = polish_progress(decimate, decimation.result);
+  result.progress = polish_progress(decimate, decimation);
   result.locked = locked_outputs(decimate.locked, decimation);
   result.locked.resize(std::max(result.locked.size(), held.size()));
   for (std::size_t v = 0; v < held.size(); ++v) result.locked[v] |= held[v];
@@ -100,7 +107,7 @@ PolishResult DecimationPolisher::polish(const SimplifyOptions& options, Decimati
   if (options.polish_passes == 0U) return {};
   const DecimateOptions& decimate = options.decimate;
   try {
-    std::call_once(is_prepared_, [&] { prepare(decimate, polish_progress(decimate, decimation.result)); });
+    std::call_once(is_prepared_, [&] { prepare(decimate, polish_progress(decimate, decimation)); });
     return whittle::polish(input_->original, decimation.vertex_map, decimation.mesh,
                            polish_options(options, held, decimation));
   } catch (const Cancelled&) {

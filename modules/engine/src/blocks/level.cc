@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -10,6 +11,7 @@
 #include "blocks/shared_stars.hh"
 #include "blocks/stitch.hh"
 #include "loop/contraction_log.hh"
+#include "loop/surface_of_faces.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/parallel.hh"
 
@@ -46,7 +48,13 @@ class Level {
         locked_(surface.of_vertices(context.stage.options.locked)),
         areas_(surface.of_faces(std::vector<Index>(context.stage.areas.of.begin(), context.stage.areas.of.end()))),
         jobs_(partition_.n_blocks()),
-        nonmanifold_(surface.is_input() ? jobs_.size() + 1 : 0) {}
+        done_(partition_.n_blocks()),
+        nonmanifold_(surface.is_input() ? jobs_.size() + 1 : 0) {
+    context_.progress.set_surface([this] { return surface_now(); });
+  }
+  Level(const Level&) = delete;
+  Level& operator=(const Level&) = delete;
+  ~Level() { context_.progress.set_surface({}); }
 
   std::optional<double> run(const LevelGoal& goal, StageReport& report);
   /// \pre there is one block, and it goes in rounds
@@ -78,6 +86,7 @@ class Level {
   DecimateTarget least_left(const Block& block, std::size_t number) const;
   void begin(std::size_t number);
   void finish(std::size_t number);
+  IndexedMesh surface_now() const;
   bool is_futile(const LevelGoal& goal);
   double n_nonmanifold(const std::vector<std::size_t>& sample) const;
   void run_others(double cost, std::optional<SharedStars>& shared_stars);
@@ -93,7 +102,8 @@ class Level {
   std::vector<std::uint8_t> locked_;
   std::vector<Index> areas_;  ///< of the surface's faces, or empty
   RoundScratchPool scratch_;
-  std::vector<std::unique_ptr<Job>> jobs_;  ///< a block each; null where it was not begun
+  std::vector<std::unique_ptr<Job>> jobs_;       ///< a block each; null where it was not begun
+  std::vector<std::atomic<const Block*>> done_;  ///< blocks that have finished; else null
   std::vector<NonmanifoldCounts> nonmanifold_;
   BlockResults results_;
   LargeArray<Contraction> log_;  ///< if contractions are told: those of each block
@@ -134,11 +144,11 @@ void Level::begin(std::size_t number) {
   job->options = options();
   job->options.threads = jobs_.size() > 1 ? 1 : threads();  // of several blocks each has a thread
   job->options.locked = {};
-  job->options.progress = [&progress = context_.progress, is_trial = plan_.is_trial,
+  job->options.progress = [&progress = context_.progress, is_trial = plan_.is_trial, is_all = jobs_.size() == 1,
                            last = std::optional<std::uint64_t>{}](const Progress& p) mutable {
     const std::uint64_t n_gone = last.value_or(p.n_faces) - p.n_faces;
     last = p.n_faces;
-    return progress.advance(is_trial ? 0 : n_gone);
+    return progress.advance(is_trial ? 0 : n_gone, is_all && !is_trial ? &p.surface : nullptr);
   };
   job->options.listener = {};
   StageContext context{job->options, context_.stage.frame};
@@ -163,6 +173,29 @@ void Level::finish(std::size_t number) {
   }
   tell_by_input(context_.input.positions, context_.stage.frame, surface_.origins, log_of(number));
   job.block->finish(results_);
+  done_[number].store(&*job.block, std::memory_order_release);
+}
+
+/// What blocks that are done have left, and the others as they were. Other blocks may be at work.
+IndexedMesh Level::surface_now() const {
+  std::vector<Vec3> points;
+  reserve_large(points, surface_.positions.size());
+  for (const Vec3& position : surface_.positions) points.push_back(surface_.frame.to_frame(position));
+  std::vector<Triangle> faces;
+  for (std::size_t number = 0; number < done_.size(); ++number) {
+    const Block* const block = done_[number].load(std::memory_order_acquire);
+    for (const Index f : partition_.faces.of(number)) {
+      if (block == nullptr) {
+        faces.push_back(surface_.faces[f]);
+      } else if (results_.is_face_left[f] != 0) {
+        faces.push_back(mapped(surface_.faces[f], results_.merged_into));
+      }
+    }
+    if (block == nullptr) continue;
+    for (const Block::Survivor& survivor : block->survivors()) points[survivor.vertex] = survivor.position;
+  }
+  const Frame& frame = context_.stage.frame;
+  return surface_of_faces(std::move(faces), points.size(), [&](Index v) { return frame.to_model(points[v]); });
 }
 
 /// Makes room in the log: a block makes fewer contractions than it has vertices.

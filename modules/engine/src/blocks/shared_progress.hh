@@ -2,7 +2,9 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <thread>
+#include <utility>
 
 #include "whittle/engine/options.hh"
 
@@ -21,12 +23,17 @@ class SharedProgress {
 
   bool is_cancelled() const { return is_cancelled_.load(std::memory_order_relaxed); }
 
-  /// Tells how many faces are gone. \return whether to go on
-  bool advance(std::uint64_t n_faces_gone) {
+  /// Says what makes `Progress::surface` from now on. On the caller's thread.
+  void set_surface(std::function<IndexedMesh()> surface) { surface_ = std::move(surface); }
+
+  /// Tells how many faces are gone. \param surface in place of the one that was set, or null
+  /// \return whether to go on
+  bool advance(std::uint64_t n_faces_gone, const std::function<IndexedMesh()>* surface = nullptr) {
     n_left_.fetch_sub(n_faces_gone, std::memory_order_relaxed);
-    if (callback_ && std::this_thread::get_id() == caller_ && !is_cancelled() && !callback_(now())) {
-      is_cancelled_.store(true, std::memory_order_relaxed);
-    }
+    if (!callback_ || std::this_thread::get_id() != caller_ || is_cancelled()) return !is_cancelled();
+    Progress progress = now();
+    progress.surface = surface != nullptr ? *surface : surface_;
+    if (!callback_(progress)) is_cancelled_.store(true, std::memory_order_relaxed);
     return !is_cancelled();
   }
 
@@ -44,6 +51,7 @@ class SharedProgress {
   std::uint64_t n_faces_;
   std::atomic<std::uint64_t> n_left_;
   double share_;
+  std::function<IndexedMesh()> surface_;
   std::thread::id caller_ = std::this_thread::get_id();
   std::atomic<bool> is_cancelled_ = false;
 };

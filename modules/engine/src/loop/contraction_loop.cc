@@ -6,14 +6,16 @@
 #include "cost/make_cost.hh"
 #include "host/host_cost.hh"
 #include "loop/make_guards.hh"
+#include "loop/surface_of_faces.hh"
 #include "queue/eager_queue.hh"
 #include "queue/lazy_queue.hh"
 
 namespace whittle {
 namespace {
 
-/// Turns between two calls of the progress callback: about a millisecond.
+/// Turns between two calls of the progress callback: about a millisecond, also where guards prove each face.
 constexpr std::uint64_t progress_interval = 2048;
+constexpr std::uint64_t progress_interval_of_proofs = 16;
 
 /// What a host's cost says of pairs that it refuses.
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -61,6 +63,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Constraints& constrai
       cost_unit_(context.frame.unscale, cost_dimension_),
       host_(context.host),
       log_(context.log),
+      are_faces_proven_(context.limits.error_bound != nullptr),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
       filter_(complex),
@@ -114,10 +117,11 @@ std::vector<GuardedPair> ContractionLoop::refusals() {
 
 DecimateResult ContractionLoop::run() {
   stop_.reset();
+  const std::uint64_t interval = are_faces_proven_ ? progress_interval_of_proofs : progress_interval;
   for (std::uint64_t n_turns = 0; !stop_; ++n_turns) {
     if (target_reached()) {
       stop_ = StopReason::target;
-    } else if (n_turns % progress_interval == 0 && !report_progress()) {
+    } else if (n_turns % interval == 0 && !report_progress()) {
       stop_ = StopReason::cancelled;
     } else if (const std::optional<RankedPair> ranked = queue_->next()) {
       take(*ranked);
@@ -147,7 +151,13 @@ bool ContractionLoop::report_progress() const {
   };
   const double faces = share(n_initial_faces_, complex_.n_faces(), target_.n_faces());
   const double vertices = share(n_initial_vertices_, complex_.n_vertices(), target_.n_vertices());
-  return options_.progress({complex_.n_vertices(), complex_.n_faces(), std::min(1.0, std::max(faces, vertices))});
+  return options_.progress({complex_.n_vertices(), complex_.n_faces(), std::min(1.0, std::max(faces, vertices)),
+                            Stage::decimate, [this] { return surface_now(); }});
+}
+
+IndexedMesh ContractionLoop::surface_now() const {
+  return surface_of_faces(complex_.live_faces(), complex_.n_vertex_slots(),
+                          [this](Index v) { return frame_.to_model(complex_.position(v)); });
 }
 
 /// Contracts the pair, puts it off, leaves it to a later stage, refuses it, or stops because of its cost.

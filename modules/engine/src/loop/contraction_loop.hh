@@ -44,6 +44,7 @@ class ContractionLoop {
   void begin_with(std::span<const GuardedPair> refusals);
   bool target_reached() const;
   bool report_progress() const;
+  IndexedMesh surface_now() const;
   void take(const RankedPair& ranked);
   bool gather_if_certain(const Pair& pair);
   void leave_to_later(const Pair& pair);
@@ -79,6 +80,7 @@ class ContractionLoop {
   Frame::CostUnit cost_unit_;  ///< of the model
   DecimationHost* host_;
   ContractionLog* log_;
+  bool are_faces_proven_;  ///< by a guard, which takes long
   std::uint64_t n_initial_vertices_;
   std::uint64_t n_initial_faces_;
 

@@ -159,6 +159,19 @@ void RoundMesh::move_numbers(Index v, std::size_t to) {
   }
 }
 
+std::vector<Triangle> RoundMesh::faces_now() const {
+  std::vector<Triangle> faces;
+  for (const Index v : vertices_) {
+    if (merged_into_[v] != v) continue;
+    for (const LinkEdge& edge : star(v)) {
+      const Index x = now(edge.x);
+      const Index y = now(edge.y);
+      if (v < x && v < y && x != y) faces.push_back({v, x, y});
+    }
+  }
+  return faces;
+}
+
 std::vector<Index> RoundMesh::merged_into() const {
   std::vector<Index> result = merged_into_;
   for (Index& v : result) {

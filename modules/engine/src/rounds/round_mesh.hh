@@ -48,6 +48,8 @@ class RoundMesh {
   /// Begins a round: leaves out the faces that have vanished. The same on any number of threads.
   void begin_round(unsigned threads);
 
+  /// The faces as they are now, in any order. \pre no vertex is frozen
+  std::vector<Triangle> faces_now() const;
   /// What each vertex has become since the start.
   std::vector<Index> merged_into() const;
 

@@ -6,6 +6,7 @@
 
 #include "cost/make_cost.hh"
 #include "loop/contraction_log.hh"
+#include "loop/surface_of_faces.hh"
 #include "rounds/chunks.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 
@@ -185,8 +186,15 @@ std::uint64_t Rounds::contract(const RoundLimit& limit) {
 bool Rounds::is_target_reached() const { return target_.is_reached_at(n_faces_, n_vertices()); }
 
 bool Rounds::goes_on() {
-  if (options_.progress) is_cancelled_ = !options_.progress({n_vertices(), n_faces_, 0});
+  if (!options_.progress) return true;
+  is_cancelled_ = !options_.progress({n_vertices(), n_faces_, 0, Stage::decimate, [this] { return surface_now(); }});
   return !is_cancelled_;
+}
+
+/// \pre no vertex is frozen
+IndexedMesh Rounds::surface_now() const {
+  return surface_of_faces(mesh_.faces_now(), mesh_.n_vertices(),
+                          [this](Index v) { return frame_.to_model(mesh_.point(v)); });
 }
 
 /// The turn of a pair.

@@ -97,6 +97,7 @@ class Rounds {
   void list_pairs_at(Index v);
   void sort_candidates(float most);
   bool goes_on();
+  IndexedMesh surface_now() const;
   bool is_target_reached() const;
   void take(const VertexPair& pair, float most);
   void refresh(Index v, std::size_t end);
@@ -126,6 +127,7 @@ class Rounds {
 
   const DecimateOptions& options_;
   QuadricOptions quadric_;
+  Frame frame_;                ///< of the model
   Frame::CostUnit cost_unit_;  ///< of the model
   ContractionLog* log_;
   FlipLimit flip_limit_;

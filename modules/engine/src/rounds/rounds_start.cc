@@ -42,6 +42,7 @@ class RingTest {
 Rounds::Rounds(WorkingSurface& surface, const StageContext& context, RoundScratchPool& pool)
     : options_(context.options),
       quadric_(quadric_options(context.options)),
+      frame_(context.frame),
       cost_unit_(context.frame.unscale, cost_dimension(context.options)),
       log_(context.log),
       flip_limit_(context.options.effective_max_normal_flip_deg()),

@@ -110,7 +110,8 @@ void settle_options(Plan& plan) {
 }  // namespace
 
 RunProgress run_progress(const Progress& progress) {
-  return {progress.stage == Stage::polish ? "polishing" : "decimating", progress.fraction, progress.n_faces};
+  return {progress.stage == Stage::polish ? "polishing" : "decimating", progress.fraction, progress.n_faces,
+          progress.surface};
 }
 
 SimplifyOptions options_by_effort(const Request& request) {

@@ -63,6 +63,10 @@ struct Progress {
   std::uint64_t n_faces;     ///< left now
   double fraction;  ///< of the stage, [0, 1]; while contracting, of the way to the nearest count asked for, if one is
   Stage stage = Stage::decimate;
+  /// Makes the surface as it is at this moment: positions and faces alone, model units, in any order. Empty where there
+  /// is none. Only the callback may call it; it takes time in proportion to the surface, and changes no result. While
+  /// blocks are contracted, it has what those leave that are done. It lacks the backs of two-sided sheets.
+  std::function<IndexedMesh()> surface{};
 };
 
 /// How much attributes count in costs with quadrics (docs/dev/attributes.md), by kind: an error of one is a length,

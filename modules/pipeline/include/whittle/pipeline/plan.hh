@@ -15,9 +15,10 @@ namespace whittle {
 
 /// How far a run has come.
 struct RunProgress {
-  std::string_view stage;     ///< "decimating", "polishing", "certifying", "counting intersections"
-  double fraction = 0;        ///< of the stage, [0, 1]
-  std::uint64_t n_faces = 0;  ///< that are left; 0 where the stage has none
+  std::string_view stage;                  ///< "decimating", "polishing", "certifying", "counting intersections"
+  double fraction = 0;                     ///< of the stage, [0, 1]
+  std::uint64_t n_faces = 0;               ///< that are left; 0 where the stage has none
+  std::function<IndexedMesh()> surface{};  ///< as `Progress::surface`
 };
 /// What a run tells of the progress of `simplify`.
 RunProgress run_progress(const Progress& progress);
