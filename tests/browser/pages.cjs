@@ -3,7 +3,7 @@
 const assert = require('assert/strict');
 const path = require('path');
 
-/** \return `close`, and `withPage`, which opens a page, lets `use` try it, and checks that it was silent */
+/** \return `browser`, `close`, and `withPage`, which opens a page, lets `use` try it, and checks that it was silent */
 async function openBrowser(nodeModules, chromium, folder) {
   const {chromium: driver} = require(path.join(path.resolve(nodeModules), 'playwright-core'));
   const browser = await driver.launch({executablePath: chromium,
@@ -34,7 +34,7 @@ async function openBrowser(nodeModules, chromium, folder) {
     page.removeAllListeners();
     await page.goto('about:blank'); // the same page with another hash would not begin anew
   }
-  return {withPage, close: () => browser.close()};
+  return {browser, withPage, close: () => browser.close()};
 }
 
 module.exports = {openBrowser};

@@ -306,6 +306,7 @@ TEST(Usage, RefusesWhatOpenMeshsDecimaterDoesNotDo) {
   own.insert(own.end(), {{"--record", "r"},
                          {"--curve", "c.csv"},
                          {"--page", "p.html"},
+                         {"--live", "p.html"},
                          {"--frames", "f_{i}.png"},
                          {"--animate", "a.webp"}});
   for (const Arguments& option : own) expect_conflict(option, openmesh, "only Whittle's own loop does that");

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "commands/page/live/live_page.hh"
 #include "commands/simplify/simplify_files.hh"
 #include "commands/simplify/simplify_record.hh"
 #include "commands/simplify/simplify_report.hh"
@@ -10,8 +11,11 @@
 #include "commands/simplify/simplify_texts.hh"
 #include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
+#include "files/failure.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
+#include "pictures/moment_pictures.hh"
+#include "terminal/errors.hh"
 #include "terminal/interruption.hh"
 #include "whittle/core/progress.hh"
 
@@ -56,17 +60,34 @@ void refuse_files_of_no_run(SimplifyCommand options, const Plan& plan) {
   }
 }
 
+/// What shows a run while it goes on.
+struct Watchers {
+  std::optional<LivePage> page;
+  std::optional<MomentPictures> pictures;
+
+  /// \return whether the run goes on
+  bool update(const RunProgress& progress) {
+    return (!page || page->update(progress)) && (!pictures || pictures->update(progress));
+  }
+  void throw_if_failed() const {
+    if (page) page->throw_if_failed();
+    if (pictures) pictures->throw_if_failed();
+  }
+};
+
 /// Signals end the program at once while OpenMesh's decimater runs. It would check for them too rarely, and there are
 /// no temporary files yet.
-void run_plan(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
+void run_plan(const SimplifyCommand& options, const Talk& talk, Watchers& watchers, SimplifyRecord& record) {
   StageBars bars(talk);
   const bool waits = options.engine == Engine::flat;
   std::optional<SignalsWait> signals_wait;
   if (waits) signals_wait.emplace();
   try {
-    record.outcome = run(record.plan, [&bars](const RunProgress& progress) { return bars.update(progress); });
+    record.outcome = run(
+        record.plan, [&](const RunProgress& progress) { return bars.update(progress) && watchers.update(progress); });
   } catch (const Cancelled&) {
     SignalsWait::throw_if_pending();
+    watchers.throw_if_failed();
     throw;
   }
   if (waits) SignalsWait::throw_if_pending();
@@ -109,6 +130,40 @@ ExitCode say_outcome(const SimplifyCommand& options, const Talk& talk, const Sim
   return ExitCode::done;
 }
 
+/// All that comes after the plan.
+void run_and_write(SimplifyCommand& options, const Talk& talk, const Stopwatch& watch, Watchers& watchers,
+                   SimplifyRecord& record, Json* report) {
+  if (options.pictures.is_given()) watchers.pictures.emplace(options.pictures, record.plan, watch);
+  run_plan(options, talk, watchers, record);
+  take_settled(record, options.request);
+  warn_of_outcome(talk, record);
+  if (watchers.page) watchers.page->show(record.outcome.simplified.mesh, "measuring and writing");
+  measure_curve(options, talk, record);
+  if (!record.shortfall.empty()) record.warnings.push_back(record.shortfall);
+  write_files(options, talk, watch, record, report);
+  if (watchers.pictures) watchers.pictures->keep();
+}
+
+/// The same. The page of a run that fails says why.
+void run_to_the_end(SimplifyCommand& options, const Talk& talk, const Stopwatch& watch, SimplifyRecord& record,
+                    Json* report) {
+  Watchers watchers;
+  if (options.live) watchers.page.emplace(*options.live, record.plan, options.output, options.common.force, watch);
+  try {
+    run_and_write(options, talk, watch, watchers, record, report);
+  } catch (const Interrupted&) {
+    if (watchers.page) watchers.page->end("interrupted");
+    throw;
+  } catch (const Cancelled&) {  // by a signal, while something was measured
+    if (watchers.page) watchers.page->end("interrupted");
+    SignalsWait::throw_if_pending();
+    throw;
+  } catch (...) {
+    if (watchers.page) watchers.page->end(current_failure().problem);
+    throw;
+  }
+}
+
 /// One run, of `options.input`. \param report becomes the report, even without --json; may be null
 ExitCode simplify_one(SimplifyCommand options, Json* report) {
   const Talk talk = options.common.talk();
@@ -117,12 +172,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   SimplifyRecord record;
   make_plan(options, talk, record);
   refuse_files_of_no_run(options, record.plan);
-  run_plan(options, talk, record);
-  take_settled(record, options.request);
-  warn_of_outcome(talk, record);
-  measure_curve(options, talk, record);
-  if (!record.shortfall.empty()) record.warnings.push_back(record.shortfall);
-  write_files(options, talk, watch, record, report);
+  run_to_the_end(options, talk, watch, record, report);
   return say_outcome(options, talk, record);
 }
 

@@ -10,15 +10,12 @@
 #include "terminal/progress_bar.hh"
 
 namespace whittle::app {
-namespace {
 
 std::size_t n_frames(const FrameOptions& options) { return static_cast<std::size_t>(std::ceil(1 / options.every)) + 1; }
 
 double place_of(const FrameOptions& options, std::size_t i) {
   return std::min(1.0, static_cast<double>(i) * options.every);
 }
-
-}  // namespace
 
 OptionRows frame_rows(FrameOptions& options) {
   return {side_file_row("--frames", options.frames,

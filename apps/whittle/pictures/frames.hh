@@ -21,6 +21,11 @@ struct FrameOptions {
   bool is_given() const { return frames || animation; }
 };
 
+/// How many pictures there are, the first and the last one, too.
+std::size_t n_frames(const FrameOptions& options);
+/// The place of a picture in the run, a share of the contractions. [0, 1]
+double place_of(const FrameOptions& options, std::size_t i);
+
 /// --frames, --every and --animate.
 OptionRows frame_rows(FrameOptions& options);
 

@@ -67,10 +67,12 @@ Json pack(const PageSurface& surface, const Grid& grid, PageBytes& bytes, PageIm
   }
   std::vector<PackedEdge> borders;
   std::vector<PackedEdge> nonmanifold;
-  const detail::EdgeTable edges(mesh.faces, positions.size());
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const std::size_t n = edges.sides(e).size();
-    if (n != 2) (n == 1 ? borders : nonmanifold).push_back({edges[e].a, edges[e].b});
+  if (surface.marks_irregular_edges) {
+    const detail::EdgeTable edges(mesh.faces, positions.size());
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      const std::size_t n = edges.sides(e).size();
+      if (n != 2) (n == 1 ? borders : nonmanifold).push_back({edges[e].a, edges[e].b});
+    }
   }
   Json refusals = Json::array();
   for (const auto& [reason, pairs] : surface.refusals)

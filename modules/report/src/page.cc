@@ -126,6 +126,10 @@ Json pack(const Page& page, PageBytes& bytes) {
   }
   json["recording"] = page.recording ? pack(*page.recording, grid, bytes) : Json(nullptr);
   json["images"] = images.pack(bytes);
+  if (const std::optional<PageLive>& live = page.live) {
+    json["live"] = {{"stage", live->stage},   {"fraction", live->fraction}, {"faces", live->n_faces},
+                    {"target", live->target}, {"seconds", live->seconds},   {"problem", live->problem}};
+  }
   return json;
 }
 

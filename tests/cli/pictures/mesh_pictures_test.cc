@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "program/failure.hh"
@@ -267,6 +270,25 @@ TEST_F(MeshPictures, ShowARunOfSimplify) {
     EXPECT_EQ(render::read_image(last).width, 1280U);
     EXPECT_EQ(n_of("ANMF", read_text(folder / "s.webp")), 3U);
   }
+}
+
+/// The run stands still where its result fills a pipe.
+TEST_F(MeshPictures, AreThereWhileARunGoesOnAndGoWithOneThatIsInterrupted) {
+  write_text(folder / "w2.png", "of before");
+  Running program(command({"simplify", data_file("knot.ply"), "-o", "-", "--format", "ply", "--face-ratio", "50%",
+                           "--frames", folder / "w{i}.png", "--every", "50%", "--animate", folder / "w.webp",
+                           "--record", folder / "w.rec", "--quiet"}));
+  const auto are_there = [this] {
+    return std::filesystem::exists(folder / "w0.png") && std::filesystem::exists(folder / "w.webp");
+  };
+  for (int i = 0; i < 6000 && !are_there(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_TRUE(are_there());
+  program.signal(SIGTERM);
+  const Outcome outcome = program.finish();
+  EXPECT_EQ(outcome.exit_code, 128 + SIGTERM) << outcome;
+  EXPECT_FALSE(std::filesystem::exists(folder / "w0.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "w.webp"));
+  EXPECT_EQ(read_text(folder / "w2.png"), "of before");
 }
 
 /// Nothing is left of a run whose pictures can't be written.

@@ -244,7 +244,7 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
        "--curve", folder / "curve.svg", "--map-back", folder / "back"},
       {large, "-o", out, "--faces", "1000", "--effort", "fast"},
       {cubes, "-o", out, "--faces", "100", "--frames", folder / "f{i}.png", "--every", "50%", "--animate",
-       folder / "a.webp", "--page", folder / "a.html"},
+       folder / "a.webp", "--page", folder / "a.html", "--live", folder / "b.html"},
       {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},
       {blob, "-o", out, "--faces", "500", "--attributes", "position-only", "--seams", "keep", "--regions", "none",
        "--categories", "none"},

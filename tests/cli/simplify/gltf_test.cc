@@ -473,6 +473,7 @@ TEST(Gltf, RefusesWhatItCannotDo) {
   expect_usage_error(whittle({"simplify", in, "-o", folder / "o.ply", "--faces", "9", "--compress"}), {"--compress"});
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--per-mesh", "--curve", folder / "c.svg"},
                                                   {"--per-mesh", "--page", folder / "p.html"},
+                                                  {"--per-mesh", "--live", folder / "p.html"},
                                                   {"--map", folder / "m"},
                                                   {"--certificate", folder / "c"},
                                                   {"--engine", "openmesh"},

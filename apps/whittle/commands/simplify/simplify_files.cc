@@ -96,11 +96,12 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
   write(options.certificate, [&](std::ostream& out) { out << record.outcome.certificate; });
   write(options.recording, [&](std::ostream& out) { write_recording_file(out, options, record); });
   write(options.curve, [&](std::ostream& out) { write_curve(out, options, record); });
-  write(options.page, [&](std::ostream& out) {
-    out << make_page({record.plan.scene, options.output, record.outcome.simplified, simplify_json(options, record),
-                      record.shortfall},
-                     options.common, talk);
-  });
+  if (options.page || options.live) {
+    const std::string page = make_page({record.plan.scene, options.output, record.outcome.simplified,
+                                        simplify_json(options, record), record.shortfall},
+                                       options.common, talk);
+    for (const auto& path : {options.page, options.live}) write(path, [&page](std::ostream& out) { out << page; });
+  }
   if (options.pictures.is_given()) {
     ShownMeshes shown = shown_run(record);
     write_frames(files, options.pictures, shown, {{}, {}, options.common.threads}, talk);

@@ -22,7 +22,7 @@ constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openm
 
 constexpr char file_group[] = "Files";
 
-const char* const files_of_a_run[] = {"--record", "--curve", "--page", "--frames", "--animate"};
+const char* const files_of_a_run[] = {"--record", "--curve", "--page", "--live", "--frames", "--animate"};
 
 /// \param others the rows of all other options
 OptionRow engine_row(Engine& engine, const OptionRows& others) {
@@ -66,7 +66,9 @@ OptionRows side_file_rows(SimplifyCommand& options) {
       side_file_row("--curve", options.curve,
                     "write the error at the levels from IN to OUT, as a table (.csv) or a drawing (.svg)" + stem),
       side_file_row("--page", options.page,
-                    "write a page for a browser: both meshes, the steps between them, and the refused pairs" + stem)};
+                    "write a page for a browser: both meshes, the steps between them, and the refused pairs" + stem),
+      side_file_row("--live", options.live,
+                    "write that page at once, and again while the run goes on: a browser shows how it goes" + stem)};
   append(rows, frame_rows(options.pictures));
   append(rows, {side_file_row("--record", options.recording, "write the steps of the run, for 'whittle replay'" + stem),
                 {.names = "--no-embed",
@@ -123,7 +125,7 @@ OptionRows simplify_rows(SimplifyCommand& options) {
 Request request_of(const SimplifyCommand& run) {
   Request request = run.request;
   request.makes_certificate = run.certificate.has_value();
-  request.keeps_steps = run.recording || run.curve || run.page || run.pictures.is_given();
+  request.keeps_steps = run.recording || run.curve || run.page || run.live || run.pictures.is_given();
   // OpenMesh's engine takes one value of an attribute a vertex.
   const bool is_flat = run.engine == Engine::flat;
   request.reading =
@@ -166,7 +168,8 @@ void check_gltf(const SimplifyCommand& options) {
 
 void check_options(const SimplifyCommand& options) {
   check_targets(options.request.targets, "--faces, --vertices, --ratio, --face-ratio, --max-cost and --max-error");
-  if (options.page) require_page();
+  if (options.page || options.live) require_page();
+  if (options.live == standard_stream) throw UsageError("--live writes its page again and again, which takes a file");
   require_frames(options.pictures);
   check_gltf(options);
   if (options.curve && !options.curve->ends_with(".csv") && !options.curve->ends_with(".svg")) {

@@ -34,6 +34,7 @@ struct SimplifyCommand {
   std::optional<std::string> recording;    ///< the steps of the run
   std::optional<std::string> curve;        ///< the error at the levels of the run
   std::optional<std::string> page;         ///< to look at the run
+  std::optional<std::string> live;         ///< the page, from the beginning on
   FrameOptions pictures;                   ///< of the run
   bool embeds_input = true;                ///< whether the recording has the input in it
   bool compresses_recording = false;
@@ -55,13 +56,14 @@ struct SideFile {
   std::optional<std::string>* path;
   const char* plural;  ///< of what it is
 };
-inline std::array<SideFile, 8> side_files(SimplifyCommand& options) {
+inline std::array<SideFile, 9> side_files(SimplifyCommand& options) {
   return {{{"--map", &options.map, "maps"},
            {"--map-back", &options.map_back, "maps"},
            {"--certificate", &options.certificate, "certificates"},
            {"--record", &options.recording, "recordings"},
            {"--curve", &options.curve, "curves"},
            {"--page", &options.page, "pages"},
+           {"--live", &options.live, "pages"},
            {"--frames", &options.pictures.frames, "pictures"},
            {"--animate", &options.pictures.animation, "pictures"}}};
 }

@@ -5,6 +5,7 @@ import {readPage} from './data.js';
 import {ExactColours} from './exact.js';
 import {errorText, facesText, fillLabel, lengthUnit, placeLabels} from './facts.js';
 import {rowsOfKeys, setUpKeys} from './keys.js';
+import {followRun} from './live.js';
 import {LevelErrors} from './level_errors.js';
 import {loadImages} from './look.js';
 import {Model} from './model.js';
@@ -543,6 +544,7 @@ async function start() {
   try {
     const page = await readPage(document);
     window.whittle = new App(page, await loadImages(page.json.images, page.array));
+    followRun(window.whittle);
   } catch (error) {
     $('problem').hidden = false;
     $('problem').textContent = `The meshes can't be shown: ${error.message}`;

@@ -60,7 +60,8 @@ struct PageSurface {
   /// images are stored once.
   std::vector<Material> materials{};
   ColorEncoding colors = ColorEncoding::srgb;  ///< of `mesh.colors`
-  std::optional<PageError> error{};            ///< of a result
+  bool marks_irregular_edges = true;  ///< whether borders and non-manifold edges are drawn: a rough level has others
+  std::optional<PageError> error{};   ///< of a result
 };
 
 /// Faces for `PageSurface::coarse`: about 10,000; none for a mesh of few faces. \param threads 0 = all cores
@@ -99,6 +100,17 @@ struct PageTable {
   std::vector<PageRow> rows;
 };
 
+/// What a page says of a run that goes on. The browser reads the file again and again, until there is a page without
+/// it.
+struct PageLive {
+  std::string stage;          ///< "decimating"
+  double fraction = 0;        ///< of the stage, [0, 1]
+  std::uint64_t n_faces = 0;  ///< that are left
+  std::string target;         ///< "5120 faces"
+  double seconds = 0;         ///< since the run began
+  std::string problem;        ///< why the run has ended without a result; or empty. Such a page isn't read again
+};
+
 struct Page {
   std::string title;
   std::string advice;  ///< reason for not reaching fewer faces, and a remedy; or empty
@@ -107,6 +119,7 @@ struct Page {
   std::optional<PageRecording> recording;
   std::vector<PageChart> charts;
   std::vector<PageTable> tables;
+  std::optional<PageLive> live{};
   std::string json = {};  ///< all figures, as JSON to be read by people; or empty
 };
 
