@@ -89,14 +89,9 @@ TEST(Page, NamesItsMeshesAndCounts) {
 TEST(Page, LetsNoTextBecomeMarkup) {
   const IndexedMesh mesh = test::closed_meshes().front().mesh;
   const std::string evil = "</script><script>alert(\"1\")</script>'&{{bytes}}";
-  Page page{evil,
-            evil,
-            surface_of(evil, mesh),
-            {},
-            std::nullopt,
-            {{evil, "<svg></svg>"}},
-            {{evil, {evil}, {{evil, evil, {evil}, 0}}}},
-            evil};
+  Page page{evil, evil, surface_of(evil, mesh), {}, std::nullopt, {{evil, "<svg></svg>"}}, {}};
+  page.tables = {{evil, {evil}, {{evil, evil, {evil}, 0}}}};
+  page.json = evil;
   const std::string html = written(page);
   EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(html, HasSubstr("&lt;/script&gt;&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&#39;&amp;{{bytes}}"));
