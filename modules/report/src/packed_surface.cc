@@ -85,6 +85,7 @@ Json pack(const PageSurface& surface, const Grid& grid, PageBytes& bytes, PageIm
           {"refusals", std::move(refusals)},
           {"vertices", positions.size()},
           {"faces", mesh.faces.size()},
+          {"faces_of_file", std::max(mesh.faces.size(), surface.n_faces_of_file)},
           {"positions", bytes.add(positions)},
           {"corners", bytes.add_faces(corners(mesh), n_corners)},
           {"coarse", bytes.add_faces(corners(surface.coarse), n_corners)},

@@ -177,6 +177,7 @@ void PageMaker::limit_size(report::PageSurface& surface) {
   report::put_in_page_order(surface.mesh);
   surface.refusals.clear();  // their vertices may be gone
   surface.note = "A coarser level is shown: the file has " + faces_text(n);
+  surface.n_faces_of_file = n;
 }
 
 void PageMaker::fill_facts(std::size_t i, const report::PageSurface& surface) {

@@ -61,7 +61,7 @@ export function followRun(app) {
   note.id = 'live';
   note.setAttribute('role', 'status');
   note.textContent = words(live);
-  document.querySelector('header').append(note);
+  document.getElementById('stage').append(note);
   if (live.problem) return;
   let isPressed = false; // nobody is interrupted while dragging
   addEventListener('pointerdown', () => { isPressed = true; });

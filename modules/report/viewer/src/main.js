@@ -226,7 +226,8 @@ class App {
   linesOf({surface}) {
     const isOriginal = surface === this.original.surface;
     const error = surface === this.recording ? this.playing.error() : surface.error;
-    return [surface.name, facesText(surface.nFaces, isOriginal ? null : this.original.surface.nFaces), error && errorText(error, this.diagonal),
+    const nFaces = surface.nFacesOfFile ?? surface.nFaces;
+    return [surface.name, facesText(nFaces, isOriginal ? null : this.original.surface.nFacesOfFile), error && errorText(error, this.diagonal),
       surface.note];
   }
 

@@ -14,6 +14,7 @@ export class Surface {
     this.error = json.error; // {mean, max}, sampled, of a result; or null
     this.nVertices = json.vertices;
     this.nFaces = json.faces;
+    this.nFacesOfFile = json.faces_of_file; // more, if a coarser level of it is shown
     this.positions = array(json.positions, Uint16Array); // four numbers a vertex, the last one 0
     const corners = array(json.corners, Uint32Array);
     this.look = json.look && new Look(json.look, array, corners, images); // or null: it has a shape alone

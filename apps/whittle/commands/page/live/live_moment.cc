@@ -15,6 +15,7 @@ report::PageSurface surface_of(const LiveMesh& shown) {
   report::PageSurface surface{shown.name, shown.mesh, {}, {}, {}, std::nullopt};
   const bool is_rough = shown.mesh.faces.size() < shown.n_faces;
   if (is_rough) surface.note = "A rough level is shown: there are " + faces_text(shown.n_faces);
+  surface.n_faces_of_file = shown.n_faces;
   surface.marks_irregular_edges = !is_rough;
   return surface;
 }

@@ -62,6 +62,7 @@ struct PageSurface {
   ColorEncoding colors = ColorEncoding::srgb;  ///< of `mesh.colors`
   bool marks_irregular_edges = true;  ///< whether borders and non-manifold edges are drawn: a rough level has others
   std::optional<PageError> error{};   ///< of a result
+  std::size_t n_faces_of_file = 0;    ///< if `mesh` is a coarser level of it; else 0
 };
 
 /// Faces for `PageSurface::coarse`: about 10,000; none for a mesh of few faces. \param threads 0 = all cores
