@@ -1,9 +1,10 @@
 // The types check, and say what the JavaScript has. The examples' imports are found by a bundler.
 import assert from 'node:assert/strict';
 import {execFileSync, spawnSync} from 'node:child_process';
-import {readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {readFileSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
 import path from 'node:path';
 import {test} from 'node:test';
+import {gzipSync} from 'node:zlib';
 import {folder, npm, terrain, whittle, without} from './package.mjs';
 
 const typescript = path.join(npm, 'typescript/bin/tsc');
@@ -57,6 +58,13 @@ test('each option of the types is one, and takes a value', () => {
     const given = {facesLeft: 9, [name]: /atio$/.test(name) && name !== 'minRadiusRatio' ? 0.5 : value};
     whittle.simplify(mesh, given);
   }
+});
+
+test('the package takes at most 400 kB, gzipped', () => {
+  const shipped = readdirSync(folder).filter((name) => /\.(js|wasm)$/.test(name));
+  assert.ok(shipped.includes('whittle.wasm') && shipped.length > 8);
+  const size = (name) => gzipSync(readFileSync(path.join(folder, name)), {level: 9}).length;
+  assert.ok(shipped.reduce((sum, name) => sum + size(name), 0) <= 400_000);
 });
 
 test('the examples are put together', {skip: without('esbuild')}, () => {

@@ -1,3 +1,4 @@
+#include <__verbose_abort>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
@@ -40,7 +41,13 @@ void __cxa_free_exception(void* exception) { std::free(exception); }
   raise(type->name(), static_cast<const std::exception*>(exception)->what());
 }
 
+/// How libc++abi ends a program. Its own prints, which takes all of printf.
+[[noreturn]] void abort_message(const char* format, ...) { raise("abort", format); }
+
 }  // extern "C"
+
+/// How libc++ does.
+void std::__libcpp_verbose_abort(const char* format, ...) { raise("abort", format); }
 
 void* operator new(std::size_t size) { return memory_of(size); }
 void* operator new[](std::size_t size) { return memory_of(size); }
