@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -30,10 +32,20 @@ void listen_to_progress() {
   };
 }
 
+/// Makes the memory grow at once to about what a run takes: in many small steps that takes as long as the run.
+void reserve_memory(std::size_t n_faces) {
+  constexpr std::size_t bytes_per_face = 512;
+  constexpr std::size_t most_faces = 2'000'000;  // a GiB; with less memory than that the run may do, too
+  void* const all = std::malloc(bytes_per_face * std::min(n_faces, most_faces));
+  asm volatile("" : : "r"(all));  // else both calls are left out
+  std::free(all);
+}
+
 }  // namespace
 
 WHITTLE_EXPORT(begin) void begin(std::size_t n_vertices, std::size_t n_faces, bool tells_progress) {
   job = std::make_unique<Job>();
+  reserve_memory(n_faces);
   job->mesh.positions.resize(n_vertices);
   job->mesh.faces.resize(n_faces);
   if (tells_progress) listen_to_progress();
