@@ -8,6 +8,7 @@
 #include "files/output.hh"
 #include "system/system.hh"
 #include "terminal/table.hh"
+#include "whittle/io/path_of.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 
@@ -27,6 +28,8 @@ void say_effort(const Talk& talk, double seconds) {
   talk.detail(seconds_text(seconds) + " in all, " + std::to_string(peak_memory_bytes() >> 20) +
               " MiB of memory at most");
 }
+
+std::string short_name(const std::string& path) { return io::path_of(path).filename().string(); }
 
 std::string shown_output(const std::string& path) { return path == standard_stream ? standard_output_name : path; }
 

@@ -26,6 +26,8 @@ void say_effort(const Talk& talk, double seconds);
 
 /// The name in messages: the path, or "standard output".
 std::string shown_output(const std::string& path);
+/// The name of a file without its folders.
+std::string short_name(const std::string& path);
 
 /// Completes the files of a run (`OutputFiles::commit`), with the report where --json says.
 /// \param json called if a report is wanted

@@ -5,21 +5,16 @@
 #include <ostream>
 #include <utility>
 
+#include "files/report.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/io/output_file.hh"
 #include "whittle/io/path_of.hh"
 
 namespace whittle::app {
 namespace {
 
-constexpr double interval = 1;     ///< between two pictures at least, seconds
-constexpr double times_work = 10;  ///< between two pictures, how many times as long as drawing the one before took
-
-IndexedMesh bare(const IndexedMesh& mesh) {
-  IndexedMesh result;
-  result.positions = mesh.positions;
-  result.faces = mesh.faces;
-  return result;
-}
+constexpr double least_interval = 1;  ///< between two pictures, seconds
+constexpr double times_drawing = 10;  ///< between two pictures, how many times as long as drawing the one before took
 
 }  // namespace
 
@@ -29,8 +24,8 @@ MomentPictures::MomentPictures(const FrameOptions& options, const Plan& plan, co
     std::error_code error;
     if (std::filesystem::exists(io::path_of(output.path), error)) taken_.push_back(output.path);
   }
-  shown_.original.name = io::path_of(plan.scene.name).filename().string();
-  shown_.original.mesh = bare(plan.scene.read.mesh);
+  shown_.original.name = short_name(plan.scene.name);
+  shown_.original.mesh = without_attributes(plan.scene.read.mesh);
   shown_.results.emplace_back();
   draw(shown_.original.mesh, 0);
 }
@@ -71,7 +66,7 @@ void MomentPictures::draw(IndexedMesh mesh, std::size_t i) {
   }
   next_picture_ = i + 1;
   const double end = since_start_.seconds();
-  next_ = end + std::max(interval, times_work * (end - begin));
+  next_ = end + std::max(least_interval, times_drawing * (end - begin));
 }
 
 bool MomentPictures::update(const RunProgress& progress) {

@@ -6,6 +6,7 @@
 
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/regions.hh"
+#include "whittle/core/wedges.hh"
 
 namespace whittle {
 namespace {
@@ -26,12 +27,7 @@ std::vector<std::uint8_t> locked_outputs(const std::vector<std::uint8_t>& locked
 ProgressCallback polish_progress(const DecimateOptions& decimate, const Decimation& decimation) {
   if (!decimate.progress) return {};
   return [&](const TaskProgress& progress) {
-    const auto surface = [&mesh = decimation.mesh] {
-      IndexedMesh bare;
-      bare.positions = mesh.positions;
-      bare.faces = mesh.faces;
-      return bare;
-    };
+    const auto surface = [&mesh = decimation.mesh] { return without_attributes(mesh); };
     const DecimateResult& result = decimation.result;
     return decimate.progress({result.n_vertices, result.n_faces, progress.fraction, Stage::polish, surface});
   };

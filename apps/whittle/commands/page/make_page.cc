@@ -29,9 +29,6 @@
 namespace whittle::app {
 namespace {
 
-/// The name of a file without its folders.
-std::string short_name(const std::string& path) { return io::path_of(path).filename().string(); }
-
 bool is_recording(const std::string& path) {
   std::array<char, 8> begin{};
   std::ifstream file(io::path_of(path), std::ios::binary);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "files/output.hh"
+#include "files/report.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/io/output_file.hh"
 #include "whittle/io/path_of.hh"
@@ -15,8 +16,6 @@ namespace {
 
 constexpr double interval = 1;     ///< between two pages at least, seconds
 constexpr double times_work = 15;  ///< between two pages, how many times as long as writing the one before took
-
-std::string short_name(const std::string& path) { return io::path_of(path).filename().string(); }
 
 }  // namespace
 
