@@ -6,7 +6,7 @@ const [nodeModules, chromium, ...pages] = process.argv.slice(2);
 const {chromium: driver} = require(path.join(path.resolve(nodeModules), 'playwright-core'));
 
 async function measure(browser, file) {
-  const page = await browser.newPage({viewport: {width: 1280, height: 900}});
+  const page = await browser.newPage({viewport: {width: 1366, height: 768}});
   await page.goto(`file://${path.resolve(file)}`);
   await page.waitForFunction(() => document.documentElement.dataset.ready);
   const first = await page.evaluate(() => document.documentElement.dataset.ready);
