@@ -8,6 +8,7 @@
 #include "pictures/meshes/page_camera.hh"
 #include "pictures/meshes/panels.hh"
 #include "pictures/meshes/run_level.hh"
+#include "terminal/table.hh"
 #include "whittle/core/text/text.hh"
 
 namespace whittle::app {
@@ -27,12 +28,7 @@ Box box_around(const IndexedMesh& mesh) {
 }
 
 /// "51,200 faces"
-std::string faces_with_commas(std::size_t n) {
-  constexpr std::size_t group = 3;
-  std::string digits = std::to_string(n);
-  for (std::size_t i = digits.size(); i > group; i -= group) digits.insert(i - group, ",");
-  return digits + (n == 1 ? " face" : " faces");
-}
+std::string faces_with_commas(std::size_t n) { return grouped(n) + (n == 1 ? " face" : " faces"); }
 
 /// Where a pane is in a picture, in pixels from the left and the top. `begin` and `end` bound what is seen of it.
 struct PaneBox {

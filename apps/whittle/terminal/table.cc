@@ -26,6 +26,13 @@ std::string Table::text() const {
   return text;
 }
 
+std::string grouped(std::uint64_t n) {
+  constexpr std::size_t group = 3;
+  std::string digits = std::to_string(n);
+  for (std::size_t i = digits.size(); i > group; i -= group) digits.insert(i - group, ",");
+  return digits;
+}
+
 std::string yes_no(bool value) { return value ? "yes" : "no"; }
 
 }  // namespace whittle::app

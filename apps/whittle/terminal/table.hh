@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,7 @@ class Table {
 };
 
 std::string yes_no(bool value);
+/// "51,200"
+std::string grouped(std::uint64_t n);
 
 }  // namespace whittle::app

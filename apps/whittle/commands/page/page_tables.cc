@@ -15,13 +15,6 @@ enum class Better { smaller, larger };
 
 constexpr const char* length_unit = "model units";
 
-/// "51,200"
-std::string grouped(std::uint64_t n) {
-  std::string digits = std::to_string(n);
-  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
-  return digits;
-}
-
 std::string figure_text(double x) {
   constexpr double most = 1e15;
   return x >= 0 && x < most && x == std::floor(x) ? grouped(static_cast<std::uint64_t>(x)) : significant(x);

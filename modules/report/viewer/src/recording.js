@@ -33,7 +33,6 @@ export class Recording {
     this.nonmanifold = new Uint32Array(0);
     this.refusals = [];
     this.distances = null;
-    this.error = null; // it depends on the level: errorAt
     this.look = null;
     this.name = 'level of the run';
     this.note = '';
