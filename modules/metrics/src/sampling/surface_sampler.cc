@@ -1,6 +1,7 @@
 #include "sampling/surface_sampler.hh"
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,7 +12,7 @@
 namespace whittle::metrics {
 
 void check_samples(std::size_t n_samples) {
-  constexpr std::size_t max_samples = std::size_t{1} << 40;
+  constexpr std::uint64_t max_samples = std::uint64_t{1} << 40;
   if (n_samples >= 1 && n_samples <= max_samples) return;
   throw std::invalid_argument("number of samples is to be in 1 ... 2^40, not " + std::to_string(n_samples));
 }

@@ -22,9 +22,9 @@ constexpr std::array<WeightKind, 6> kinds{{{"uv", &AttributeWeights::texcoord},
 void set_one(std::string_view text, AttributeWeights& weights) {
   const std::size_t equals = text.find('=');
   const std::string_view word = text.substr(0, equals);
-  const auto* const kind =
-      std::find_if(kinds.begin(), kinds.end(), [&](const WeightKind& k) { return k.word == word; });
-  if (equals == std::string_view::npos || kind == kinds.end()) {
+  const WeightKind* const end = kinds.data() + kinds.size();
+  const WeightKind* const kind = std::find_if(kinds.data(), end, [&](const WeightKind& k) { return k.word == word; });
+  if (equals == std::string_view::npos || kind == end) {
     throw std::invalid_argument("'" + std::string(text) +
                                 "' isn't KIND=W with uv, normal, color, morph, joints or seam");
   }
