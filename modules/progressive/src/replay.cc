@@ -241,4 +241,16 @@ Decimation Replay::decimation() const {
   return out;
 }
 
+std::vector<std::size_t> levels_of_curve(const Replay& replay) {
+  constexpr double step = 0.75;
+  std::vector<std::size_t> levels{0};
+  for (auto n = static_cast<double>(replay.input().faces.size()) * step; n >= 1; n *= step) {
+    const auto level = replay.level_of_faces(static_cast<std::uint64_t>(n));
+    if (!level) break;
+    if (*level > levels.back()) levels.push_back(*level);
+  }
+  if (levels.back() != replay.n_steps()) levels.push_back(replay.n_steps());
+  return levels;
+}
+
 }  // namespace whittle::progressive

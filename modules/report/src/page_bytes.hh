@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
@@ -14,9 +15,9 @@ namespace whittle::report {
 
 using Json = nlohmann::ordered_json;
 
-/// The arrays of a page, compressed by meshoptimizer, one after the other. Adding an array gives the JSON by which the
-/// page finds it: {"at", "bytes", "count", "size", "codec"}, the last one "vertices", "faces" or, for bytes as they
-/// are, "none".
+/// The arrays of a page, encoded (encoding.hh), one after the other. Adding an array gives the JSON by which the page
+/// finds it: {"at", "bytes", "count", "size", "codec"}, the last one "vertices", "faces" or, for bytes as they are,
+/// "none".
 class PageBytes {
  public:
   /// Items of `Item`, whose size is a multiple of four bytes.
@@ -34,15 +35,13 @@ class PageBytes {
   /// A file, as it is.
   Json add_file(std::string_view file);
 
-  const std::vector<unsigned char>& bytes() const { return bytes_; }
+  /// Afterwards nothing is left.
+  std::vector<unsigned char> take() { return std::move(bytes_); }
 
  private:
   Json add_items(const void* items, std::size_t n, std::size_t size);
 
   std::vector<unsigned char> bytes_;
 };
-
-/// Compresses by zlib (RFC 1950). Output of meshoptimizer becomes a sixth smaller still.
-std::string deflated(const std::vector<unsigned char>& bytes);
 
 }  // namespace whittle::report

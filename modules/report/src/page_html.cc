@@ -1,17 +1,15 @@
 #include "whittle/report/page.hh"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <map>
 #include <ostream>
 #include <stdexcept>
 #include <string_view>
 
-#include "packed_recording.hh"
-#include "packed_surface.hh"
-#include "page_bytes.hh"
 #include "page_template.hh"
 #include "whittle/core/bytes/base64.hh"
-#include "whittle/core/geometry/box.hh"
 
 namespace whittle::report {
 namespace {
@@ -44,15 +42,27 @@ std::string escaped(std::string_view text) {
 }
 
 /// JSON within a script element, which ends at the first "</script".
-std::string in_script(const Json& json) {
+std::string in_script(std::string_view json) {
   std::string result;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+  for (const char c : json) {
     if (c == '<') {
       result += "\\u003c";
     } else {
       result += c;
     }
   }
+  return result;
+}
+
+/// Compresses by zlib (RFC 1950). Output of meshoptimizer becomes a sixth smaller still.
+std::string deflated(const std::vector<unsigned char>& bytes) {
+  uLongf n = compressBound(static_cast<uLong>(bytes.size()));
+  std::string result(n, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(result.data()), &n, bytes.data(), static_cast<uLong>(bytes.size()),
+                Z_DEFAULT_COMPRESSION) != Z_OK) {
+    throw std::runtime_error("zlib can't compress the page");
+  }
+  result.resize(n);
   return result;
 }
 
@@ -99,48 +109,13 @@ std::string tables_html(const Page& page) {
          escaped(page.json) + "</pre></details>\n";
 }
 
-Box bounds_of_all(const Page& page) {
-  Box all = bounds_of(page.original.mesh);
-  for (const PageSurface& result : page.results) all.extend(bounds_of(result.mesh));
-  if (page.recording) {
-    for (const Contraction& c : page.recording->replay.steps().contractions) all.extend(c.position);
-    for (const PassEnd& end : page.recording->replay.steps().pass_ends) {
-      for (const auto& [vertex, position] : end.moved) all.extend(position);
-    }
-  }
-  return all;
-}
-
-Json pack(const Page& page, PageBytes& bytes) {
-  const Grid grid = Grid::around(bounds_of_all(page));
-  Json json;
-  json["title"] = page.title;
-  json["advice"] = page.advice;
-  json["origin"] = {grid.origin.x(), grid.origin.y(), grid.origin.z()};
-  json["step"] = grid.step;
-  PageImages images;
-  json["original"] = pack(page.original, grid, bytes, images);
-  json["results"] = Json::array();
-  for (const PageSurface& result : page.results) {
-    json["results"].push_back(pack(result, grid, bytes, images));
-  }
-  json["recording"] = page.recording ? pack(*page.recording, grid, bytes) : Json(nullptr);
-  json["images"] = images.pack(bytes);
-  if (const std::optional<PageLive>& live = page.live) {
-    json["live"] = {{"stage", live->stage},   {"fraction", live->fraction}, {"faces", live->n_faces},
-                    {"target", live->target}, {"seconds", live->seconds},   {"problem", live->problem}};
-  }
-  return json;
-}
-
 }  // namespace
 
 void write_page(std::ostream& out, const Page& page) {
-  PageBytes bytes;
-  const std::string data = in_script(pack(page, bytes));
+  const PageData data = page_data(page);
   const std::map<std::string_view, std::string> contents{{"title", escaped(page.title)},
-                                                         {"data", data},
-                                                         {"bytes", base64(deflated(bytes.bytes()))},
+                                                         {"data", in_script(data.json)},
+                                                         {"bytes", base64(deflated(data.bytes))},
                                                          {"charts", charts_html(page.charts)},
                                                          {"tables", tables_html(page)}};
   // Only words of the template are replaced: contents may have braces of their own.

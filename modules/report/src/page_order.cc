@@ -1,8 +1,7 @@
-#include <meshoptimizer.h>
-
 #include <algorithm>
 #include <utility>
 
+#include "encoding.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/report/page.hh"
 
@@ -12,14 +11,6 @@ namespace {
 Triangle from_lowest(Triangle face) {
   std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
   return face;
-}
-
-/// Faces in the order that meshoptimizer gives them, which says nothing of their numbers before.
-std::vector<Triangle> reordered(const IndexedMesh& mesh) {
-  std::vector<Triangle> faces(mesh.faces.size());
-  if (faces.empty()) return faces;
-  meshopt_optimizeVertexCache(faces.data()->data(), mesh.faces.data()->data(), 3 * faces.size(), mesh.positions.size());
-  return faces;
 }
 
 /// Vertices in the order in which faces name them, then vertices without a face.
@@ -103,7 +94,7 @@ void order_wedges(const IndexedMesh& before, const PageOrder& order, IndexedMesh
 }  // namespace
 
 PageOrder put_in_page_order(IndexedMesh& mesh) {
-  std::vector<Triangle> faces = reordered(mesh);
+  std::vector<Triangle> faces = in_short_order(mesh.faces, mesh.positions.size());
   PageOrder order{vertex_numbers(faces, mesh.positions.size()), face_numbers(mesh.faces, faces)};
   IndexedMesh ordered;
   ordered.positions.resize(mesh.positions.size());

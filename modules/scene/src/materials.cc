@@ -15,7 +15,7 @@ SceneMaterials materials_beside(const Scene& scene) {
   const fs::path folder = scene.path == standard_stream ? fs::path() : io::path_of(scene.path).parent_path();
   io::SurfaceMaterials from = io::read_materials(scene.read.notes, folder, scene.read.mesh);
   io::read_images(from.materials, folder);
-  SceneMaterials materials{.of_groups = std::move(from.materials), .are_told = from.are_told, .warnings = {}};
+  SceneMaterials materials{.of_groups = std::move(from.materials), .are_told = from.are_told};
   for (const fs::path& library : from.missing) {
     materials.warnings.push_back("material library " + library.string() +
                                  " can't be read, its materials are not shown");
@@ -30,7 +30,12 @@ SceneMaterials materials_beside(const Scene& scene) {
 
 SceneMaterials read_materials(const Scene& scene) {
   if (!scene.document) return materials_beside(scene);
-  return {.of_groups = scene.document->materials(), .are_told = true, .warnings = {}};
+  SceneMaterials materials{.of_groups = scene.document->materials(), .are_told = true, .colors = ColorEncoding::linear};
+  const std::vector<std::string>& groups = scene.read.mesh.group_names;
+  for (std::size_t i = 0; i < materials.of_groups.size(); ++i) {
+    materials.of_groups[i].name = i < groups.size() ? groups[i] : "";
+  }
+  return materials;
 }
 
 }  // namespace whittle

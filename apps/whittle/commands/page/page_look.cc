@@ -29,10 +29,7 @@ PageLook::PageLook(const Scene& input, std::vector<std::string>& warnings) {
   if (!materials.are_told) return;
   warn_of_hidden_images(materials, input.name, warnings);
   materials_ = std::move(materials.of_groups);
-  if (!input.document) return;
-  colors_ = ColorEncoding::linear;
-  const std::vector<std::string>& groups = input.read.mesh.group_names;
-  for (std::size_t i = 0; i < materials_.size(); ++i) materials_[i].name = i < groups.size() ? groups[i] : "";
+  colors_ = materials.colors;
 }
 
 void PageLook::dress(report::PageSurface& surface) const {

@@ -1,7 +1,5 @@
 #include "commands/recording/curve.hh"
 
-#include <cmath>
-
 #include "charts/svg_chart.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/table.hh"
@@ -10,19 +8,6 @@
 
 namespace whittle::app {
 namespace {
-
-/// The levels to measure, first that of the input.
-std::vector<std::size_t> levels_of(const progressive::Replay& replay) {
-  constexpr double step = 0.75;
-  std::vector<std::size_t> levels{0};
-  for (auto n = static_cast<double>(replay.input().faces.size()) * step; n >= 1; n *= step) {
-    const auto level = replay.level_of_faces(static_cast<std::uint64_t>(n));
-    if (!level) break;
-    if (*level > levels.back()) levels.push_back(*level);
-  }
-  if (levels.back() != replay.n_steps()) levels.push_back(replay.n_steps());
-  return levels;
-}
 
 CurvePoint measure(const progressive::Replay& replay, const metrics::DistanceOptions& options) {
   CurvePoint point{replay.n_faces(), replay.n_vertices(), replay.cost(), 0, 0, 0};
@@ -40,7 +25,7 @@ CurvePoint measure(const progressive::Replay& replay, const metrics::DistanceOpt
 std::vector<CurvePoint> measure_curve(progressive::Replay& replay, std::size_t samples, unsigned threads,
                                       const Talk& talk) {
   ProgressBar bar(talk, "measuring the curve");
-  const std::vector<std::size_t> levels = levels_of(replay);
+  const std::vector<std::size_t> levels = progressive::levels_of_curve(replay);
   std::vector<CurvePoint> curve;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     replay.go_to(levels[i]);

@@ -146,4 +146,8 @@ class Replay {
   std::size_t n_visibility_changes_ = 0;
 };
 
+/// The levels of a curve: the number of faces falls by a quarter from one to the next. The first is the input, the last
+/// the result. \return ascending
+std::vector<std::size_t> levels_of_curve(const Replay& replay);
+
 }  // namespace whittle::progressive

@@ -124,9 +124,19 @@ struct Page {
   std::string json = {};  ///< all figures, as JSON to be read by people; or empty
 };
 
-/// Writes the page. Positions are rounded to 65,536 steps along the longest side of the box around all meshes,
-/// distances to 65,536 steps up to the largest one, texture coordinates to a 65,536th of the texture. Texts are
-/// escaped. \param out its state shows write errors \throw std::invalid_argument if a mesh has no faces
+/// What the viewer reads of a page.
+struct PageData {
+  std::string json;                  ///< where the arrays are in `bytes`, and what they are
+  std::vector<unsigned char> bytes;  ///< arrays, one after the other
+};
+
+/// Positions are rounded to 65,536 steps along the longest side of the box around all meshes, distances to 65,536 steps
+/// up to the largest one, texture coordinates to a 65,536th of the texture.
+/// \throw std::invalid_argument if a mesh has no faces
+PageData page_data(const Page& page);
+
+/// Writes the page with its data (`page_data`). Texts are escaped. \param out its state shows write errors \throw
+/// std::invalid_argument if a mesh has no faces
 void write_page(std::ostream& out, const Page& page);
 
 }  // namespace whittle::report
