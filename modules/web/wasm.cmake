@@ -2,7 +2,7 @@
 file(STRINGS ${OBJECTS} objects)
 execute_process(
   COMMAND ${LINKER} -m wasm32 -L${SYSROOT}/lib/wasm32-wasi ${SYSROOT}/lib/wasm32-wasi/crt1-reactor.o --entry _initialize
-          ${objects} -lc++ -lc++abi -lc ${BUILTINS} --gc-sections --strip-debug --lto-O2 -z stack-size=1048576 --stack-first
+          ${objects} -lc++ -lc++abi -lwasi-emulated-getpid -lc ${BUILTINS} --gc-sections --strip-debug --lto-O2 -z stack-size=1048576 --stack-first
           --max-memory=4294967296 -o ${OUTPUT}.linked
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(

@@ -1,13 +1,6 @@
 // The module of WebAssembly: loading it, calling it, and what its errors become.
 
-/** What Whittle refuses, and what it can't do. `kind` is 'invalid', 'memory' or 'internal'. */
-export class WhittleError extends Error {
-  constructor(message, kind = 'invalid') {
-    super(message);
-    this.name = 'WhittleError';
-    this.kind = kind;
-  }
-}
+import {WhittleError, asWhittleError, errorOf, textAt} from './errors.js';
 
 const notReady = 'whittle is not loaded yet: await ready first';
 const keptBytes = 64 << 20; // an instance with more memory is dropped after its call, which gives the memory back
@@ -33,11 +26,6 @@ export const ready = compile().then((module) => {
 });
 ready.catch(() => {}); // whoever awaits it gets the error
 
-export function textAt(memory, at) {
-  const bytes = new Uint8Array(memory.buffer);
-  return new TextDecoder().decode(bytes.slice(at, bytes.indexOf(0, at)));
-}
-
 function importsOf(memory) {
   const system = {
     clock_time_get(clock, precision, at) {
@@ -52,10 +40,7 @@ function importsOf(memory) {
     wasi_snapshot_preview1: new Proxy(system, {get: (calls, name) => calls[name] ?? (() => 8)}), // 8: no such file
     whittle: {
       raise(type, what) {
-        const kind = textAt(memory(), type);
-        const text = textAt(memory(), what);
-        if (/bad_alloc|length_error/.test(kind)) throw new WhittleError('out of memory', 'memory');
-        throw new WhittleError(text, kind.includes('invalid_argument') ? 'invalid' : 'internal');
+        throw errorOf(textAt(memory(), type), textAt(memory(), what));
       },
       progress(fraction, stage, faces) {
         if (onProgress(stage === 1 ? 'polishing' : 'decimating', fraction, faces) === false) {
@@ -91,11 +76,7 @@ export function withEngine(use, listener = null) {
     if (running.exports.memory.buffer.byteLength <= keptBytes) instance = running;
     return result;
   } catch (error) {
-    if (error instanceof WebAssembly.RuntimeError) {
-      throw new WhittleError(`the module failed: ${error.message}`, 'internal');
-    }
-    if (error instanceof RangeError && /stack/i.test(error.message)) throw new WhittleError('out of stack', 'memory');
-    throw error;
+    throw asWhittleError(error);
   } finally {
     onProgress = outer;
   }

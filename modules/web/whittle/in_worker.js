@@ -1,5 +1,5 @@
 // The same calls on another thread, which goes on drawing meanwhile.
-import {WhittleError} from './engine.js';
+import {WhittleError} from './errors.js';
 
 const cancelled = () => new DOMException('cancelled', 'AbortError');
 

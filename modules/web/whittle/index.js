@@ -1,4 +1,5 @@
-export {WhittleError, ready} from './engine.js';
+export {ready} from './engine.js';
+export {WhittleError} from './errors.js';
 export {MeshoptSimplifier} from './meshoptimizer.js';
 export {lod, simplify} from './simplify.js';
 export {simplifyInWorker} from './in_worker.js';

@@ -1,5 +1,5 @@
 // Meshes as arrays: into the module, and out of it.
-import {WhittleError} from './engine.js';
+import {WhittleError} from './errors.js';
 import {writeText} from './options.js';
 
 // In the order of AttributeKind.

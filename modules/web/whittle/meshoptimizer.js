@@ -1,5 +1,6 @@
 // The calls of meshoptimizer's MeshoptSimplifier, by Whittle: same arguments, checks and values returned.
-import {WhittleError, ready, withEngine} from './engine.js';
+import {ready, withEngine} from './engine.js';
+import {WhittleError} from './errors.js';
 import {simplify} from './simplify.js';
 
 const flagNames = [

@@ -1,5 +1,5 @@
 // Options by the names of JavaScript, as the module takes them.
-import {WhittleError, textAt} from './engine.js';
+import {WhittleError, textAt} from './errors.js';
 
 const ofProgram = {facesLeft: 'faces', verticesLeft: 'vertices'};
 

@@ -1,5 +1,6 @@
 // Whittle's own calls: a mesh of arrays, options, and a mesh of arrays.
-import {WhittleError, withEngine} from './engine.js';
+import {withEngine} from './engine.js';
+import {WhittleError} from './errors.js';
 import {readMesh, writeMesh} from './mesh.js';
 import {setOptions} from './options.js';
 

@@ -1,6 +1,6 @@
 // Geometries of three.js.
 import {BufferAttribute, BufferGeometry} from 'three';
-import {WhittleError} from './engine.js';
+import {WhittleError} from './errors.js';
 import {simplifyInWorker} from './in_worker.js';
 import {simplify} from './simplify.js';
 
