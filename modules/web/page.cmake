@@ -16,11 +16,11 @@ foreach(module io gltf scene metrics pipeline progressive report)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/modules/${module}/src/*.cc)
   # src/page has others for these; the page as a text is not written.
   list(FILTER sources EXCLUDE REGEX "/io/src/bytes/gzip.cc$|/gltf/src/codec/meshopt.cc$|/report/src/(encoding|page_html).cc$")
-  whittle_wasm_object(${module} FLAGS -I${PROJECT_SOURCE_DIR}/modules/${module}/src ${page_flags} SOURCES ${sources})
+  whittle_wasm_object(${module} FLAGS -Os -I${PROJECT_SOURCE_DIR}/modules/${module}/src ${page_flags} SOURCES ${sources})
   list(APPEND page_names ${module})
 endforeach()
 file(GLOB sources CONFIGURE_DEPENDS src/page/*.cc)
-whittle_wasm_object(page FLAGS -I${PROJECT_SOURCE_DIR}/modules/io/src -I${PROJECT_SOURCE_DIR}/modules/gltf/src
+whittle_wasm_object(page FLAGS -Os -I${PROJECT_SOURCE_DIR}/modules/io/src -I${PROJECT_SOURCE_DIR}/modules/gltf/src
                                -I${PROJECT_SOURCE_DIR}/modules/report/src ${page_flags}
                     SOURCES ${sources} ${runtime} ${CMAKE_CURRENT_SOURCE_DIR}/src/support/filesystem.cc)
 whittle_wasm(${objects_folder}/page.wasm ${page_names} page)

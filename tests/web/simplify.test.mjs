@@ -1,9 +1,9 @@
-// What simplify and lod promise.
+// What simplify, lod and record promise.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {randomMesh, terrain, whittle} from './package.mjs';
 
-const {WhittleError, lod, simplify} = whittle;
+const {WhittleError, lod, record, simplify} = whittle;
 const isInvalid = (pattern) => (error) =>
   error instanceof WhittleError && error.kind === 'invalid' && pattern.test(error.message);
 
@@ -113,6 +113,54 @@ test('levels of detail', () => {
   ); // a contraction takes two faces or one
   assert.throws(() => lod(terrain(4), {}), isInvalid(/facesLeft or faceRatios/));
   assert.throws(() => lod(terrain(4), {facesLeft: [4, 8]}), isInvalid(/descending/));
+});
+
+test('a recording has the result, and every level on the way', () => {
+  const mesh = {...terrain(30, (x, y) => 0.3 * Math.sin(9 * x) * Math.cos(7 * y)), normals: undefined};
+  for (const options of [{effort: 'fast', facesLeft: 40}, {effort: 'normal', facesLeft: 100}, {effort: 'best', verticesLeft: 80}]) {
+    const recording = record(mesh, options);
+    const result = simplify(mesh, options);
+    for (const name of ['positions', 'indices', 'vertexMap', 'faceOrigins']) {
+      assert.deepEqual(recording.last[name], result[name], `${name}, ${JSON.stringify(options)}`);
+    }
+    assert.deepEqual(recording.level({facesLeft: 0}), recording.last);
+    const whole = recording.level({facesLeft: 1800});
+    assert.equal(whole.indices.length, mesh.indices.length);
+    assert.deepEqual([whole.report.contractions, whole.report.maxCost], [0, 0]);
+    let before = whole;
+    for (const n of [1700, 900, 301]) {
+      const level = recording.level({facesLeft: n});
+      const nFaces = level.indices.length / 3;
+      assert.ok(nFaces <= n && nFaces > n - 4, `${nFaces} faces, not ${n}`);
+      assert.ok(level.report.contractions > before.report.contractions && level.report.maxCost >= before.report.maxCost);
+      assert.equal(level.texcoords.length / 2, level.positions.length / 3);
+      assert.ok(level.vertexMap.every((v) => v < level.positions.length / 3));
+      recording.level({verticesLeft: 500}); // back, and there again
+      assert.deepEqual(recording.level({facesLeft: n}), level);
+      before = level;
+    }
+  }
+});
+
+test('a level of a recording is what a shorter run gives', () => {
+  const {positions, indices} = terrain(24, (x, y) => 0.2 * Math.sin(11 * x * y));
+  const options = {effort: 'fast', cost: 'quadric'};
+  const recording = record({positions, indices}, {...options, facesLeft: 20});
+  for (const facesLeft of [800, 300, 90]) {
+    const level = recording.level({facesLeft});
+    const result = simplify({positions, indices}, {...options, facesLeft});
+    for (const name of ['positions', 'indices']) assert.deepEqual(level[name], result[name], `${name} at ${facesLeft}`);
+  }
+});
+
+test('what a recording refuses', () => {
+  const mesh = terrain(6);
+  assert.throws(() => record(mesh, {}), isInvalid(/no target/));
+  const recording = record(mesh, {facesLeft: 10});
+  for (const count of [{}, {facesLeft: -1}, {facesLeft: 1.5}, {facesLeft: 9, verticesLeft: 9}]) {
+    assert.throws(() => recording.level(count), isInvalid(/level: /));
+  }
+  assert.ok(recording.level({facesLeft: 10}).indices.length > 0);
 });
 
 test('errors name the option and what is valid', () => {

@@ -76,6 +76,6 @@ test('the examples are put together', {skip: without('esbuild')}, () => {
       [path.join(examples, name), '--bundle', '--format=esm', '--jsx=automatic', '--external:node:*', ...external],
       {env: {...process.env, NODE_PATH: path.join(folder, '../node_modules')}, encoding: 'utf8'},
     );
-    assert.match(bundle, /new URL\(".\/whittle.wasm", import.meta.url\)/);
+    assert.match(bundle, /new URL\(".\/(whittle.wasm|worker.js)", import.meta.url\)/);
   }
 });

@@ -93,6 +93,10 @@ WHITTLE_EXPORT(attribute) double* attribute(int kind, std::size_t n_components) 
 WHITTLE_EXPORT(level) void level(double n_faces) { job->levels.push_back(static_cast<std::uint64_t>(n_faces)); }
 
 WHITTLE_EXPORT(simplify) void simplify() { job->simplify(); }
+WHITTLE_EXPORT(record) void record() { job->record(); }
+WHITTLE_EXPORT(take_level) void take_level(double n, bool counts_vertices) {
+  job->take_level(static_cast<std::uint64_t>(n), counts_vertices);
+}
 WHITTLE_EXPORT(simplify_indices) double simplify_indices(std::size_t n_faces, double max_distance, bool opens_seams) {
   return job->simplify_indices(n_faces, max_distance, opens_seams);
 }

@@ -11,8 +11,22 @@
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/core/wedges.hh"
+#include "whittle/progressive/replay.hh"
 
 namespace whittle::web {
+
+/// The mesh to simplify, and where the given rows and faces went.
+struct Joined {
+  IndexedMesh mesh;
+  std::vector<Index> vertex_map;
+};
+
+struct RecordedRun {
+  Joined input;
+  Simplification last;  ///< without its steps
+  progressive::Replay replay;
+};
+
 namespace {
 
 /// −1 where there is none.
@@ -24,12 +38,6 @@ bool precedes(const Vec3& p, const Vec3& q) {
   }
   return false;
 }
-
-/// The mesh to simplify, and where the given rows and faces went.
-struct Joined {
-  IndexedMesh mesh;
-  std::vector<Index> vertex_map;
-};
 
 /// \throw std::invalid_argument for what joining can't bear; `simplify` checks the rest
 void check(const IndexedMesh& mesh) {
@@ -59,6 +67,11 @@ Joined joined(const Job& job) {
     mesh = std::move(pruned.mesh);
   }
   return result;
+}
+
+/// 0 without faces.
+double diagonal_of(const Joined& joined) {
+  return joined.mesh.faces.empty() ? 0 : whittle::diagonal_of(joined.mesh.positions);
 }
 
 SimplifyOptions settled(const Job& job, const Joined& joined, double diagonal) {
@@ -109,18 +122,21 @@ JobReport report_of(const Joined& joined, const Simplification& result) {
   return report;
 }
 
+DecimateTarget target_of(const Job& job, const Joined& joined, double diagonal) {
+  if (!job.settings.has_target()) throw std::invalid_argument("no target: give at least one");
+  return job.settings.target(joined.mesh.positions.size(), joined.mesh.faces.size(), diagonal);
+}
+
 std::vector<Simplification> run(const Job& job, const Joined& joined) {
-  const double diagonal = joined.mesh.faces.empty() ? 0 : diagonal_of(joined.mesh.positions);
+  const double diagonal = diagonal_of(joined);
   const SimplifyOptions options = settled(job, joined, diagonal);
   if (!job.levels.empty()) {
     std::vector<DecimateTarget> targets;
     for (const std::uint64_t n : job.levels) targets.push_back(DecimateTarget::faces(n));
     return simplify_to_levels(joined.mesh, targets, job.settings.effort, options);
   }
-  if (!job.settings.has_target()) throw std::invalid_argument("no target: give at least one");
-  const DecimateTarget target = job.settings.target(joined.mesh.positions.size(), joined.mesh.faces.size(), diagonal);
   std::vector<Simplification> result;
-  result.push_back(whittle::simplify(joined.mesh, target, job.settings.effort, options));
+  result.push_back(whittle::simplify(joined.mesh, target_of(job, joined, diagonal), job.settings.effort, options));
   return result;
 }
 
@@ -149,6 +165,31 @@ void Job::simplify() {
   report = report_of(input, levels.back());
   vertex_map = map_of_rows(input, levels.back(), results.back());
   face_origins = std::move(levels.back().face_origins);
+}
+
+void Job::record() {
+  Joined input = joined(*this);
+  const double diagonal = diagonal_of(input);
+  SimplifyOptions options = settled(*this, input, diagonal);
+  options.decimate.keep_steps = true;
+  Simplification last = whittle::simplify(input.mesh, target_of(*this, input, diagonal), settings.effort, options);
+  progressive::Replay replay(input.mesh, std::move(last.steps), options.decimate.normals);
+  recorded = std::make_shared<RecordedRun>(RecordedRun{std::move(input), std::move(last), std::move(replay)});
+  take_level(0, false);
+}
+
+void Job::take_level(std::uint64_t n, bool counts_vertices) {
+  progressive::Replay& replay = recorded->replay;
+  const auto level = counts_vertices ? replay.level_of_vertices(n) : replay.level_of_faces(n);
+  replay.go_to(level.value_or(replay.n_steps()));
+  Decimation small = replay.decimation();
+  results.assign(1, split_at_wedges(small.mesh));
+  report = report_of(recorded->input, recorded->last);
+  report.max_cost = replay.cost();
+  report.n_contractions = static_cast<double>(replay.n_contractions());
+  if (replay.level() < replay.n_steps()) report.proven_error = no_error;
+  vertex_map = map_of_rows(recorded->input, small, results.back());
+  face_origins = std::move(small.face_origins);
 }
 
 double Job::simplify_indices(std::size_t n_faces, double max_distance, bool may_open_seams) {

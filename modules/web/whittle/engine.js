@@ -61,6 +61,18 @@ function newInstance() {
   return made;
 }
 
+function call(running, use, listener) {
+  const outer = onProgress;
+  onProgress = listener;
+  try {
+    return use(running.exports);
+  } catch (error) {
+    throw asWhittleError(error);
+  } finally {
+    onProgress = outer;
+  }
+}
+
 /**
  * Calls `use` with the exports of an instance, which is dropped when anything goes wrong: no frame of WebAssembly has
  * cleaned up then.
@@ -68,16 +80,22 @@ function newInstance() {
 export function withEngine(use, listener = null) {
   const running = instance ?? newInstance();
   instance = null;
-  const outer = onProgress;
-  onProgress = listener;
-  try {
-    const result = use(running.exports);
-    running.exports.end();
-    if (running.exports.memory.buffer.byteLength <= keptBytes) instance = running;
+  const result = call(running, use, listener);
+  running.exports.end();
+  if (running.exports.memory.buffer.byteLength <= keptBytes) instance = running;
+  return result;
+}
+
+/** An instance that keeps what it holds from call to call. */
+export class OwnEngine {
+  #running = newInstance();
+
+  use(use, listener = null) {
+    if (this.#running === null) throw new WhittleError('an earlier call has failed', 'internal');
+    const running = this.#running;
+    this.#running = null; // as in `withEngine`
+    const result = call(running, use, listener);
+    this.#running = running;
     return result;
-  } catch (error) {
-    throw asWhittleError(error);
-  } finally {
-    onProgress = outer;
   }
 }

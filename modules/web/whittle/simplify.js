@@ -1,5 +1,5 @@
 // Whittle's own calls: a mesh of arrays, options, and a mesh of arrays.
-import {withEngine} from './engine.js';
+import {OwnEngine, withEngine} from './engine.js';
 import {WhittleError} from './errors.js';
 import {readMesh, writeMesh} from './mesh.js';
 import {setOptions} from './options.js';
@@ -23,6 +23,15 @@ function readReport(engine) {
   };
 }
 
+/** The result, with what is told of it. */
+function readResult(engine, written) {
+  const result = readMesh(engine, written, 0);
+  const copy = (Type, at, n) => new Type(engine.memory.buffer, at, n).slice();
+  result.vertexMap = copy(Int32Array, engine.vertex_map(), written.positions.length / 3);
+  result.faceOrigins = copy(Uint32Array, engine.face_origins(), result.indices.length / 3);
+  return {...result, report: readReport(engine)};
+}
+
 function begin(engine, mesh, options, onProgress) {
   const written = writeMesh(engine, mesh, Boolean(onProgress));
   setOptions(engine, options);
@@ -35,13 +44,9 @@ export function simplify(mesh, options = {}) {
   return withEngine((engine) => {
     const written = begin(engine, mesh, own, onProgress);
     engine.simplify();
-    const result = readMesh(engine, written, 0);
-    const report = readReport(engine);
-    const copy = (Type, at, n) => new Type(engine.memory.buffer, at, n).slice();
-    result.vertexMap = copy(Int32Array, engine.vertex_map(), mesh.positions.length / 3);
-    result.faceOrigins = copy(Uint32Array, engine.face_origins(), result.indices.length / 3);
+    const result = readResult(engine, written);
     const hasCount = ['facesLeft', 'verticesLeft', 'ratio', 'faceRatio'].some((name) => own[name] != null);
-    return {...result, report, met: report.stop === 'target' || !hasCount};
+    return {...result, met: result.report.stop === 'target' || !hasCount};
   }, onProgress ?? null);
 }
 
@@ -59,3 +64,34 @@ export function lod(mesh, targets, options = {}) {
     return Array.from({length: engine.n_results()}, (_, i) => readMesh(engine, written, i));
   }, onProgress ?? null);
 }
+
+/** A run whose levels can be had without running again: index.d.ts has the details. */
+export class Recording {
+  #engine = new OwnEngine();
+  #written;
+
+  /** `record` makes one. */
+  constructor(mesh, options) {
+    const {onProgress, ...own} = options;
+    this.last = this.#engine.use((engine) => {
+      this.#written = begin(engine, mesh, own, onProgress);
+      engine.record();
+      return readResult(engine, this.#written);
+    }, onProgress ?? null);
+  }
+
+  level({facesLeft, verticesLeft}) {
+    if ((facesLeft === undefined) === (verticesLeft === undefined)) {
+      throw new WhittleError('level: give facesLeft or verticesLeft, one of them');
+    }
+    const n = facesLeft ?? verticesLeft;
+    if (!(Number.isSafeInteger(n) && n >= 0)) throw new WhittleError(`level: '${n}' is no whole number from 0 on`);
+    return this.#engine.use((engine) => {
+      engine.take_level(n, verticesLeft === undefined ? 0 : 1);
+      return readResult(engine, this.#written);
+    });
+  }
+}
+
+/** Simplifies and keeps all levels. */
+export const record = (mesh, options = {}) => new Recording(mesh, options);

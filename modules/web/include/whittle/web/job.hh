@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,6 +23,9 @@ struct JobReport {
   double n_folded_texture_faces = 0;
 };
 
+/// A run whose levels can be had.
+struct RecordedRun;
+
 /// A mesh, options, and the result. JavaScript fills the first two. Native programs do the same, for the tests.
 struct Job {
   IndexedMesh mesh;                  ///< a vertex per row of the arrays that are given
@@ -32,10 +37,18 @@ struct Job {
   std::vector<Index> vertex_map;     ///< of the last result: given rows → one of its vertices, or `invalid_index`
   std::vector<Index> face_origins;   ///< of the last result: its faces → given faces
   JobReport report;
+  std::shared_ptr<RecordedRun> recorded;  ///< null before `record`
 
   /// Joins rows with one position to vertices with wedges, simplifies, and makes a vertex of each wedge again.
   /// \throw std::invalid_argument as `simplify`, or without a target
   void simplify();
+
+  /// Simplifies likewise and keeps all levels, of which the last one is the result. Attributes are carried along, and
+  /// not fitted to the given ones in the end.
+  void record();
+  /// Makes a level of the recorded run the result: the first one with at most so many faces or, if `counts_vertices`,
+  /// vertices, else the last one. \pre `record`
+  void take_level(std::uint64_t n, bool counts_vertices);
 
   /// Faces over the rows as given, which stay where they are, by plain quadrics with uniform weights. Rows with one
   /// position stay, unless `may_open_seams`: then they may come apart.
