@@ -6,7 +6,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "noise.hh"
@@ -182,26 +184,37 @@ SurfaceDistance scaled(SurfaceDistance distance, double scale) {
 
 }  // namespace
 
+struct DistanceReference::Kept {
+  Box box;
+  std::optional<TriangleTree> tree;
+  std::vector<bool> two_sided;  ///< as `two_sided_faces`
+};
+
 SurfaceDistance surface_distance(const IndexedMesh& reference, const IndexedMesh& test,
                                  const DistanceOptions& options) {
+  return DistanceReference(reference).to(test, options);
+}
+
+SurfaceDistance DistanceReference::to(const IndexedMesh& test, const DistanceOptions& options) {
   check_samples(options.samples);
-  const Box reference_box = bounds_of(reference), test_box = bounds_of(test);
+  const IndexedMesh& reference = *mesh_;
+  const Box reference_box = kept_ ? kept_->box : bounds_of(reference), test_box = bounds_of(test);
   if (const double scale = working_scale({reference_box, test_box}); scale != 1.0) {
     return scaled(surface_distance(scaled(reference, scale), scaled(test, scale), options), 1.0 / scale);
   }
+  if (!kept_) kept_ = std::make_shared<Kept>(Kept{reference_box, {}, two_sided_faces(reference)});
   const Vec3 origin = center_of(reference_box);
   const double noise = noise_rel * std::max(diagonal_of(reference_box), diagonal_of(test_box));
   detail::ProgressMeter meter(options.progress);
   const detail::Workers workers(options.threads, &meter);
   meter.start("building the search trees", 0.2);
-  const TreePair trees(reference, test, origin, workers, meter);
-  const std::vector<bool> sides_of_test = two_sided_faces(test), sides_of_reference = two_sided_faces(reference);
+  const TreePair trees(reference, test, origin, workers, meter, kept_->tree);
+  const std::vector<bool> sides_of_test = two_sided_faces(test);
   const double noise_sq = noise * noise;
   meter.start("measuring", 0.6);
   const Sums forward = measure({reference, test, trees.test(), sides_of_test, noise_sq}, options, 0, workers);
   meter.start("measuring", 1);
-  const Sums backward =
-      measure({test, reference, trees.reference(), sides_of_reference, noise_sq}, options, 1, workers);
+  const Sums backward = measure({test, reference, trees.reference(), kept_->two_sided, noise_sq}, options, 1, workers);
   meter.finish();
 
   SurfaceDistance result;

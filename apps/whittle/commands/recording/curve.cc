@@ -9,11 +9,11 @@
 namespace whittle::app {
 namespace {
 
-CurvePoint measure(const progressive::Replay& replay, const metrics::DistanceOptions& options) {
+CurvePoint measure(const progressive::Replay& replay, metrics::DistanceReference& input,
+                   const metrics::DistanceOptions& options) {
   CurvePoint point{replay.n_faces(), replay.n_vertices(), replay.cost(), 0, 0, 0};
   if (replay.level() == 0) return point;
-  const metrics::SurfaceDistance distance =
-      metrics::surface_distance(replay.input(), replay.decimation().mesh, options);
+  const metrics::SurfaceDistance distance = input.to(replay.decimation().mesh, options);
   point.mean = distance.mean;
   point.rms = distance.rms;
   point.max = distance.max;
@@ -26,6 +26,7 @@ std::vector<CurvePoint> measure_curve(progressive::Replay& replay, std::size_t s
                                       const Talk& talk) {
   ProgressBar bar(talk, "measuring the curve");
   const std::vector<std::size_t> levels = progressive::levels_of_curve(replay);
+  metrics::DistanceReference input(replay.input());
   std::vector<CurvePoint> curve;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     replay.go_to(levels[i]);
@@ -35,7 +36,7 @@ std::vector<CurvePoint> measure_curve(progressive::Replay& replay, std::size_t s
     options.samples = samples;
     options.threads = threads;
     options.progress = part_of(bar, static_cast<double>(i) / n, static_cast<double>(i + 1) / n);
-    curve.push_back(measure(replay, options));
+    curve.push_back(measure(replay, input, options));
   }
   return curve;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <deque>
 #include <limits>
+#include <optional>
 
 #include "attributes/comparison.hh"
 #include "attributes/near_sheets.hh"
@@ -121,7 +122,8 @@ std::vector<AttributeDeviation> attribute_deviations(const IndexedMesh& referenc
   detail::ProgressMeter meter(options.progress);
   const detail::Workers workers(options.threads, &meter);
   meter.start("building the search trees", 0.2);
-  const TreePair trees(reference, test, origin, workers, meter);
+  std::optional<TriangleTree> tree_of_reference;
+  const TreePair trees(reference, test, origin, workers, meter, tree_of_reference);
   std::vector<SurfaceAttribute> of_reference, of_test;
   for (const Shared& attribute : shared) {
     of_reference.emplace_back(reference, *attribute.reference);

@@ -28,9 +28,16 @@ void build_side_by_side(const detail::Workers& workers, const First& first, cons
 }  // namespace
 
 TreePair::TreePair(const IndexedMesh& reference, const IndexedMesh& test, const Vec3& origin,
-                   const detail::Workers& workers, detail::ProgressMeter& meter) {
-  build_side_by_side(
-      workers, [&] { reference_.emplace(reference, origin, &meter); }, [&] { test_.emplace(test, origin, &meter); });
+                   const detail::Workers& workers, detail::ProgressMeter& meter,
+                   std::optional<TriangleTree>& of_reference)
+    : reference_(of_reference) {
+  const auto build_test = [&] { test_.emplace(test, origin, &meter); };
+  const auto build_reference = [&] { of_reference.emplace(reference, origin, &meter); };
+  if (of_reference) {
+    build_test();
+  } else {
+    build_side_by_side(workers, build_reference, build_test);
+  }
 }
 
 }  // namespace whittle::metrics

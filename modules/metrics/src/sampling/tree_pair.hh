@@ -11,14 +11,15 @@ namespace whittle::metrics {
 class TreePair {
  public:
   /// \param meter, workers are told the progress, and may cancel
+  /// \param of_reference keeps its tree, which is built if it is empty; must outlive this
   TreePair(const IndexedMesh& reference, const IndexedMesh& test, const Vec3& origin, const detail::Workers& workers,
-           detail::ProgressMeter& meter);
+           detail::ProgressMeter& meter, std::optional<TriangleTree>& of_reference);
 
   const TriangleTree& reference() const { return *reference_; }
   const TriangleTree& test() const { return *test_; }
 
  private:
-  std::optional<TriangleTree> reference_;
+  const std::optional<TriangleTree>& reference_;
   std::optional<TriangleTree> test_;
 };
 

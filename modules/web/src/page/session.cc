@@ -36,7 +36,7 @@ SimplifyOptions quick_options(const RunObserver& observer) {
   return options;
 }
 
-metrics::SurfaceDistance distance_of(const IndexedMesh& original, const IndexedMesh& mesh, std::size_t samples,
+metrics::SurfaceDistance distance_of(metrics::DistanceReference& original, const IndexedMesh& mesh, std::size_t samples,
                                      const RunObserver& observer) {
   metrics::DistanceOptions how;
   how.samples = samples;
@@ -44,7 +44,7 @@ metrics::SurfaceDistance distance_of(const IndexedMesh& original, const IndexedM
   how.progress = [&observer](const TaskProgress& progress) {
     return observer({.stage = "measuring", .fraction = progress.fraction});
   };
-  return metrics::surface_distance(original, mesh, how);
+  return original.to(mesh, how);
 }
 
 /// "dragon", of "dragon.ply" and of "dragon.ply.gz"
@@ -59,7 +59,8 @@ void throw_unless_faces(const Scene& scene) {
 
 }  // namespace
 
-Session::Session(const std::string& path, RunObserver observer) : path_(path), observer_(std::move(observer)) {
+Session::Session(const std::string& path, RunObserver observer)
+    : path_(path), observer_(std::move(observer)), original_(scene_.read.mesh) {
   observer_({.stage = "reading"});
   scene_ = read_scene(path_, reading_for(format_by_name(path_)));
   throw_unless_faces(scene_);
@@ -132,7 +133,7 @@ Json Session::measure_next_level() {
   const bool is_original = replay.level() == 0 && page_.original.n_faces_of_file == 0;
   if (!is_original && level.n_faces > 0) {
     constexpr std::size_t samples = 20'000;
-    const auto distance = distance_of(scene_.read.mesh, replay.decimation().mesh, samples, observer_);
+    const auto distance = distance_of(original_, replay.decimation().mesh, samples, observer_);
     level.mean_error = distance.mean;
     level.max_error = distance.max;
   }
@@ -152,6 +153,7 @@ SceneOutput Session::output_of(const SceneFormat& format) const {
 
 void Session::run(const SceneFormat& format) {
   done_.reset();
+  original_ = metrics::DistanceReference(scene_.read.mesh);  // memory for the run
   request_.output = output_of(format);
   request_.reading = reading_for(&format);
   observer_({.stage = "reading"});
@@ -182,7 +184,7 @@ Json Session::simplify(std::optional<std::uint64_t> n_faces, std::optional<doubl
   Json error = nullptr;
   if (!mesh.faces.empty()) {
     constexpr std::size_t samples = 100'000;
-    const auto distance = distance_of(scene_.read.mesh, mesh, samples, observer_);
+    const auto distance = distance_of(original_, mesh, samples, observer_);
     error = {{"mean", distance.mean}, {"max", distance.max}};
     show_result();
     page_.results.front().error = {distance.mean, distance.max};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "whittle/metrics/distance.hh"
 #include "whittle/pipeline/json.hh"
 #include "whittle/pipeline/run.hh"
 #include "whittle/report/page.hh"
@@ -59,6 +60,7 @@ class Session {
   std::string path_;
   RunObserver observer_;
   Scene scene_;
+  metrics::DistanceReference original_;
   double diagonal_ = 0;
   report::Page page_;
   std::vector<std::size_t> levels_to_measure_;  ///< of the recording, the next one last
