@@ -285,6 +285,26 @@ TEST(SurfaceDistance, SamplesAreSpreadByArea) {
   EXPECT_NEAR(d.backward.mean_sq, 1.0 / 1001.0, 2.0 / n_samples);  // stratified: one sample more or less per end
 }
 
+/// A reference that was measured before gives the same bytes, also where tests differ in size so much that coordinates
+/// are scaled.
+TEST(DistanceReference, MeasuresAsIfItWereTheFirstTime) {
+  const IndexedMesh sphere = test::sphere(3);
+  DistanceReference kept(sphere);
+  for (const double radius : {1.1, 0.4, 1e-250, 3.0, 1e250, 1.0}) {
+    for (const unsigned threads : {1U, 2U}) {
+      DistanceOptions options{.samples = 2000, .seed = 5};
+      options.threads = threads;
+      const IndexedMesh other = test::scaled(test::sphere(2), radius);
+      const SurfaceDistance again = kept.to(other, options), fresh = surface_distance(sphere, other, options);
+      EXPECT_EQ(again.mean, fresh.mean) << radius;
+      EXPECT_EQ(again.max, fresh.max) << radius;
+      EXPECT_EQ(again.garland_heckbert, fresh.garland_heckbert) << radius;
+      EXPECT_EQ(again.normal_deviation_deg, fresh.normal_deviation_deg) << radius;
+      EXPECT_EQ(again.backward.rms, fresh.backward.rms) << radius;
+    }
+  }
+}
+
 TEST(SurfaceDistance, RejectsBadArguments) {
   const IndexedMesh cube = test::cube();
   EXPECT_THROW(surface_distance(cube, cube, {.samples = 0}), std::invalid_argument);

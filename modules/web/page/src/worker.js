@@ -1,4 +1,4 @@
-// What works in the background of the page: it holds the mesh. README.md of the folder has the messages.
+// What works in the background of the page: it holds the mesh. ../README.md has the messages.
 import {MeshoptDecoder} from 'meshoptimizer';
 import {WhittleError} from '../../whittle/errors.js';
 import {Engine} from './engine.js';
