@@ -27,6 +27,11 @@ export function textureOf(scale) {
   return scale.texture ??= makeTexture(scale);
 }
 
+/** Scales stay; what a graphics processor has of them goes. */
+export function forgetTextures() {
+  for (const {texture} of Object.values(scales)) texture?.dispose();
+}
+
 function makeTexture(scale) {
   const data = new Uint8Array(4 * scale.colours.length);
   scale.colours.forEach((colour, i) => data.set([...colour, 255], 4 * i));

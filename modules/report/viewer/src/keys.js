@@ -49,7 +49,9 @@ export function rowsOfKeys({view, player, result, describeMiddles}) {
     {shown: 'f e o n p', says: 'faces, edges, open borders, non-manifold edges, refused pairs', acts: {f: toggle('faces'), e: toggle('edges'),
       o: toggle('borders'), n: toggle('nonmanifold'), p: toggle('refused')}},
     {shown: 'Enter', says: 'say what is in the middle, as a click there does', acts: {Enter: describeMiddles}},
-    {shown: 'w x ?', says: 'the place with the largest error, tables and plots, this list', acts: {w: press('worst'), x: press('numbers'), '?': press('help')}},
+    $('numbers') ? {shown: 'w x ?', says: 'the place with the largest error, tables and plots, this list',
+      acts: {w: press('worst'), x: press('numbers'), '?': press('help')}}
+      : {shown: 'w ?', says: 'the place with the largest error, this list', acts: {w: press('worst'), '?': press('help')}},
     {shown: 'Esc', says: 'go from a list or button to the picture, so that all keys act', acts: {Escape: () => $('canvas').focus({preventScroll: true})}},
   ];
   if (result) {
@@ -86,8 +88,8 @@ function addToTitles(acts) {
   }
 }
 
-/** Lists the keys in an element, and lets them act. */
-export function setUpKeys(list, rows) {
+/** Lists the keys in an element, and lets them act, up to a signal. */
+export function setUpKeys(list, rows, {signal}) {
   for (const {shown, says} of rows) {
     const term = document.createElement('dt');
     const meaning = document.createElement('dd');
@@ -105,5 +107,5 @@ export function setUpKeys(list, rows) {
     if (!act || control && isKeyOf(control, key)) return;
     event.preventDefault();
     act(event.shiftKey);
-  });
+  }, {signal});
 }

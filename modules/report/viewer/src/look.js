@@ -154,7 +154,7 @@ function directions(packed) {
 }
 
 const wraps = {repeat: RepeatWrapping, mirror: MirroredRepeatWrapping, clamp: ClampToEdgeWrapping};
-const textures = new Map(); // by image, then how it is wrapped
+const textures = new WeakMap(); // by image, then how it is wrapped
 
 function textureOf(bitmap, wrap) {
   if (!textures.has(bitmap)) textures.set(bitmap, new Map());

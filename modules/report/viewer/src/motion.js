@@ -25,10 +25,14 @@ export class Motion {
     this.timer = setTimeout(() => this.end(), rest);
   }
 
-  end() {
-    if (!this.isMoving) return;
+  stop() {
     clearTimeout(this.timer);
     this.isMoving = false;
+  }
+
+  end() {
+    if (!this.isMoving) return;
+    this.stop();
     this.lastFrame = null;
     this.onRest(this.roughness > 0);
   }

@@ -12,7 +12,7 @@ export class PlayerControls {
   constructor(app, recording, onMove) {
     this.app = app;
     this.recording = recording;
-    $('player').hidden = false;
+    $('player').hidden = !app.isPlayed;
     this.player = new Player(recording, (positions) => {
       onMove(positions);
       this.show();
@@ -96,6 +96,7 @@ export class PlayerControls {
   }
 
   advance(moment) {
+    if (this.app.isClosed()) return;
     const seconds = this.lastMoment === null ? 0 : Math.min(longestFrame, (moment - this.lastMoment) / 1000);
     this.lastMoment = moment;
     this.isPlaying = this.player.advance(seconds);

@@ -19,6 +19,7 @@ class Numbers {
 }
 
 const none = 0xffffffff;
+const nAtOnce = 256; // steps of which it is looked at the clock
 
 /** 0, 1, 2, 3, … stand for 0, −1, 1, −2, … */
 const difference = (packed) => packed >>> 1 ^ -(packed & 1);
@@ -46,8 +47,12 @@ export class Recording {
     this.nContractions = 0;
     this.nEnds = 0;
     this.readSteps(json, array, original.positions);
-    this.buildIndex();
     this.corners = new Uint32Array(original.corners.length);
+  }
+
+  /** Comes before all else, takes long, and yields after each part of the work. */
+  *prepare() {
+    yield* this.buildIndex();
     this.listFaces();
   }
 
@@ -103,7 +108,7 @@ export class Recording {
   }
 
   /** Goes through all steps and back, and fills the undo log. */
-  buildIndex() {
+  *buildIndex() {
     const n = this.removed.length;
     this.undoCorners = new Numbers(6 * n);
     this.firstUndoCorner = new Uint32Array(n + 1);
@@ -118,6 +123,7 @@ export class Recording {
         this.logCorners();
         this.contract();
       }
+      if (this.step % nAtOnce === 0) yield;
     }
     this.undoCorners = this.undoCorners.array;
     this.first = this.next = null;

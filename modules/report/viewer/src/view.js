@@ -3,6 +3,7 @@ import {
   Color, FramebufferTexture, LinearSRGBColorSpace, PerspectiveCamera, Quaternion, Raycaster, Scene, Spherical, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
+import {forgetTextures} from './colours.js';
 
 /** The layer of what is drawn over everything else, by the colours that are there. */
 export const lineLayer = 1;
@@ -37,6 +38,14 @@ export class View {
     this.controls = new OrbitControls(this.camera, this.canvas); // looks at the camera's axis once
     this.controls.enableDamping = false;
     this.controls.addEventListener('change', this.onChange);
+  }
+
+  /** Frees what the graphics processor has. */
+  close() {
+    this.controls.dispose();
+    forgetTextures();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 
   /** Fits the canvas to its element. */
