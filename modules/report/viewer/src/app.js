@@ -24,29 +24,30 @@ function boxOf(surface) {
   const low = new Vector3(Infinity, Infinity, Infinity);
   const high = low.clone().negate();
   const {positions, corners, nFaces} = surface;
-  const p = new Vector3();
+  const [least, most] = [[unit, unit, unit], [0, 0, 0]];
   for (let i = 0; i < 3 * nFaces; ++i) {
-    p.fromArray(positions, 4 * corners[i]).divideScalar(65535);
-    low.min(p);
-    high.max(p);
+    for (let d = 0; d < 3; ++d) {
+      const x = positions[4 * corners[i] + d];
+      if (x < least[d]) least[d] = x;
+      if (x > most[d]) most[d] = x;
+    }
   }
-  return {low, high};
+  if (nFaces === 0) return {low, high};
+  return {low: low.fromArray(least).divideScalar(unit), high: high.fromArray(most).divideScalar(unit)};
+}
+
+/** What an App shows, made in slices. \param page {json, array}, as of readPage */
+export async function prepare({json, array}) {
+  const images = await loadImages(json.images, array);
+  const original = new Surface(json.original, array, images);
+  const recording = json.recording && new Recording(json.recording, array, original);
+  if (recording) await doInSlices(recording.prepare());
+  return {json, original, recording, results: json.results.map((result) => new Surface(result, array, images))};
 }
 
 export class App {
-  /** Shows a page, and does in slices what takes long.
-      \param page {json, array}, as of readPage \param isPlayed whether its recording has the player's controls */
-  static async of({json, array}, {isPlayed = true} = {}) {
-    const images = await loadImages(json.images, array);
-    const original = new Surface(json.original, array, images);
-    const recording = json.recording && new Recording(json.recording, array, original);
-    if (recording) await doInSlices(recording.prepare());
-    const results = json.results.map((result) => new Surface(result, array, images));
-    return new App(json, {original, recording, results}, isPlayed);
-  }
-
-  /** \param surfaces {original, recording, results}; the recording may be null */
-  constructor(json, {original, recording, results}, isPlayed) {
+  /** \param prepared by `prepare` \param isPlayed whether a recording has the player's controls */
+  constructor({json, original, recording, results}, {isPlayed = true} = {}) {
     this.json = json;
     this.isPlayed = isPlayed;
     this.recording = recording;
@@ -68,6 +69,7 @@ export class App {
     this.followAddress();
     this.applyTheme();
     this.apply();
+    this.motion.stop(); // setting up the view was no movement
   }
 
   makeModels(original, results) {

@@ -5,7 +5,7 @@ export const lengthUnit = 'model units';
 
 export const counted = (n, one, many) => `${n.toLocaleString('en')} ${n === 1 ? one : many}`;
 
-const percent = (share) => `${short(100 * share)} %`;
+export const percent = (share) => `${short(100 * share)} %`;
 
 /** "1,024 faces, 2 % of the original's, 50,176 fewer" */
 export function facesText(nFaces, nOriginal) {

@@ -2,7 +2,8 @@
 
 async function load() {
   const binary = atob(document.getElementById('whittle-viewer').textContent);
-  const bytes = Uint8Array.from(binary, (character) => character.charCodeAt(0));
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
   const script = document.createElement('script');
   script.textContent = await new Response(stream).text();

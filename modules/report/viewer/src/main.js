@@ -1,11 +1,11 @@
 // The page of `whittle report`.
-import {App} from './app.js';
+import {App, prepare} from './app.js';
 import {readPage} from './data.js';
 import {followRun} from './live.js';
 
 async function start() {
   try {
-    window.whittle = await App.of(await readPage(document));
+    window.whittle = new App(await prepare(await readPage(document)));
     followRun(window.whittle);
   } catch (error) {
     const problem = document.getElementById('problem');

@@ -95,7 +95,10 @@ export class Model {
     const isUsed = new Uint8Array(this.surface.nVertices);
     const {corners, nFaces} = this.surface;
     for (let i = 0; i < 3 * nFaces; ++i) isUsed[corners[i]] = 1;
-    geometry.setIndex(new BufferAttribute(Uint32Array.from(isUsed.keys()).filter((v) => isUsed[v]), 1));
+    const used = new Uint32Array(isUsed.length);
+    let n = 0;
+    for (let v = 0; v < isUsed.length; ++v) if (isUsed[v]) used[n++] = v;
+    geometry.setIndex(new BufferAttribute(used.slice(0, n), 1));
     return geometry;
   }
 

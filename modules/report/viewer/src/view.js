@@ -12,6 +12,8 @@ export class View {
   /** \param box {low, high}: what is to be seen \param onChange is called when another drawing is needed */
   constructor(canvas, box, onChange) {
     this.canvas = canvas;
+    this.measureCanvas();
+    Object.assign(canvas, this.sharpSize()); // before it has a picture, which would have to be made anew
     this.renderer = new WebGLRenderer({canvas, antialias: false, preserveDrawingBuffer: true});
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.autoClear = false;
@@ -24,8 +26,7 @@ export class View {
     this.setUp('y');
     this.panes = 1;
     this.split = null; // a share of the width, where one pane ends and the other begins; null: they don't overlap
-    this.setRoughness(0);
-    this.resize();
+    this.useSize(this.sharpRatio());
     this.fit();
   }
 
@@ -48,12 +49,21 @@ export class View {
     this.renderer.forceContextLoss();
   }
 
-  /** Fits the canvas to its element. */
+  /** Fits the picture to its element. One of another size is made anew, which waits for the graphics processor. */
   resize() {
     const {clientWidth, clientHeight} = this.canvas;
-    this.width = Math.max(1, clientWidth);
-    this.height = Math.max(1, clientHeight);
-    this.renderer.setSize(this.width, this.height, false);
+    if (Math.max(1, clientWidth) === this.width && Math.max(1, clientHeight) === this.height) return;
+    this.measureCanvas();
+    this.useSize(this.renderer.getPixelRatio());
+  }
+
+  measureCanvas() {
+    this.width = Math.max(1, this.canvas.clientWidth);
+    this.height = Math.max(1, this.canvas.clientHeight);
+  }
+
+  useSize(ratio) {
+    this.renderer.setDrawingBufferSize(this.width, this.height, ratio);
     this.fitPanes();
   }
 
