@@ -36,31 +36,46 @@ function boxOf(surface) {
   return {low: low.fromArray(least).divideScalar(unit), high: high.fromArray(most).divideScalar(unit)};
 }
 
-/** What an App shows, made in slices. \param page {json, array}, as of readPage */
-export async function prepare({json, array}) {
-  const images = await loadImages(json.images, array);
-  const original = new Surface(json.original, array, images);
-  const recording = json.recording && new Recording(json.recording, array, original);
-  if (recording) await doInSlices(recording.prepare());
-  return {json, original, recording, results: json.results.map((result) => new Surface(result, array, images))};
+const colours = {original: '#9db4c8', result: '#d9b382'};
+
+/** What an App shows. Yields after each part of the work. */
+function* makeModels({json, array}, images, made) {
+  const behind = {value: null}; // a uniform of lines: what they are drawn over
+  const surface = new Surface(json.original, array, images);
+  const recording = json.recording && new Recording(json.recording, array, surface);
+  yield;
+  if (recording) yield* recording.prepare();
+  const original = new Model(surface, colours.original, behind);
+  yield;
+  const results = recording ? [new Model(recording, colours.result, behind)] : [];
+  if (recording) yield* recording.goToEnd(); // where the player begins
+  for (const result of json.results) {
+    results.push(new Model(new Surface(result, array, images), colours.result, behind));
+    yield;
+  }
+  Object.assign(made, {json, behind, original, results, recording});
+}
+
+/** Makes in slices what an App shows. \param page {json, array}, as of readPage */
+export async function prepare(page) {
+  const made = {};
+  await doInSlices(makeModels(page, await loadImages(page.json.images, page.array), made));
+  return made;
 }
 
 export class App {
   /** \param prepared by `prepare` \param isPlayed whether a recording has the player's controls */
-  constructor({json, original, recording, results}, {isPlayed = true} = {}) {
-    this.json = json;
-    this.isPlayed = isPlayed;
-    this.recording = recording;
+  constructor({json, behind, original, results, recording}, {isPlayed = true} = {}) {
+    Object.assign(this, {json, original, results, recording, isPlayed});
     this.ending = new AbortController();
-    const box = boxOf(original);
+    const box = boxOf(original.surface);
     this.diagonal = box.high.distanceTo(box.low) * unit * json.step; // model units
     this.isDrawn = true; // what was asked for
     this.isWhole = false; // what is drawn: sharp, with all faces, and in exact colours
     this.nDescribed = 0;
     this.motion = new Motion((wasQuick) => this.onRest(wasQuick));
-    this.view = new View($('canvas'), box, () => this.onView());
+    this.view = new View($('canvas'), box, behind, () => this.onView());
     this.spot = new Spot($('spot'), this.view);
-    this.makeModels(original, results);
     this.exact = new ExactColours(this.view, () => this.draw());
     for (const model of [this.original, ...this.results]) this.view.scene.add(model.group);
     this.setUpChoices();
@@ -72,18 +87,10 @@ export class App {
     this.motion.stop(); // setting up the view was no movement
   }
 
-  makeModels(original, results) {
-    const {view} = this;
-    const resultColour = '#d9b382';
-    this.original = new Model(original, '#9db4c8', view.behind);
-    this.results = results.map((surface) => new Model(surface, resultColour, view.behind));
-    if (this.recording) this.results.unshift(new Model(this.recording, resultColour, view.behind));
+  setUpChoices() {
     // What stands in the way of fewer faces is to be seen at once.
     this.result = this.results.find((model) => model.surface.refusals.length > 0) ??
       this.results.find((model) => model.surface.look) ?? this.results[0] ?? null;
-  }
-
-  setUpChoices() {
     this.results.forEach((model, i) => $('result').add(new Option(model.surface.name, i)));
     if (this.result) $('result').value = this.results.indexOf(this.result);
     if (!this.result) {

@@ -256,6 +256,13 @@ export class Recording {
     while (this.step > step) this.isEndLast() ? this.undoEnd() : this.undoContraction();
   }
 
+  *goToEnd() {
+    while (this.step < this.nSteps) {
+      this.goTo(Math.min(this.nSteps, this.step + nAtOnce));
+      yield;
+    }
+  }
+
   /** Fills `corners` and `nFaces` with the visible faces. */
   listFaces() {
     const {faceCorners, corners, isHidden} = this;

@@ -9,8 +9,9 @@ import {forgetTextures} from './colours.js';
 export const lineLayer = 1;
 
 export class View {
-  /** \param box {low, high}: what is to be seen \param onChange is called when another drawing is needed */
-  constructor(canvas, box, onChange) {
+  /** \param box {low, high}: what is to be seen \param behind a uniform: what is drawn below the lines
+      \param onChange is called when another drawing is needed */
+  constructor(canvas, box, behind, onChange) {
     this.canvas = canvas;
     this.measureCanvas();
     Object.assign(canvas, this.sharpSize()); // before it has a picture, which would have to be made anew
@@ -22,7 +23,7 @@ export class View {
     this.center = new Vector3().addVectors(box.low, box.high).multiplyScalar(0.5);
     this.radius = Math.max(1e-6, box.high.distanceTo(box.low) / 2);
     this.onChange = onChange;
-    this.behind = {value: null}; // a uniform: what is drawn below the lines
+    this.behind = behind;
     this.setUp('y');
     this.panes = 1;
     this.split = null; // a share of the width, where one pane ends and the other begins; null: they don't overlap

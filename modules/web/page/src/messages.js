@@ -1,0 +1,13 @@
+// What the page tells, above the picture: why something failed, and notes.
+
+const $ = (id) => document.getElementById(id);
+
+export function say({problem = '', notes = []}) {
+  $('alert').textContent = problem;
+  $('notes').replaceChildren(...notes.map((note) => {
+    const item = document.createElement('li');
+    item.textContent = note;
+    return item;
+  }));
+  $('messages').hidden = problem === '' && notes.length === 0;
+}
