@@ -1,6 +1,7 @@
 // Opens pages that run.sh has written.
 'use strict';
 const assert = require('assert/strict');
+const fs = require('fs');
 const path = require('path');
 
 /** \return `browser`, `close`, and `withPage`, which opens a page, lets `use` try it, and checks that it was silent */
@@ -37,4 +38,12 @@ async function openBrowser(nodeModules, chromium, folder) {
   return {browser, withPage, close: () => browser.close()};
 }
 
-module.exports = {openBrowser};
+/** What axe finds on a page. */
+async function axeViolations(nodeModules, page) {
+  await page.evaluate(fs.readFileSync(path.join(nodeModules, 'axe-core', 'axe.min.js'), 'utf8'));
+  const {violations, passes} = await page.evaluate(() => window.axe.run());
+  assert.ok(passes.length > 10, 'axe has looked at the page');
+  return violations;
+}
+
+module.exports = {axeViolations, openBrowser};

@@ -5,7 +5,7 @@ const $ = (id) => document.getElementById(id);
 export function say({problem = '', notes = []}) {
   $('alert').textContent = problem;
   $('notes').replaceChildren(...notes.map((note) => {
-    const item = document.createElement('li');
+    const item = document.createElement('p');
     item.textContent = note;
     return item;
   }));

@@ -154,7 +154,7 @@ export class Page {
   async onFormat() {
     if (this.isInMemory()) await this.work.does($('ask'), (listeners) => this.write(listeners));
     this.mesh.bytesPerFace = this.outcome.bytesPerFace();
-    this.target.update();
+    this.target.show();
     this.outcome.show(this.key());
   }
 
@@ -169,7 +169,7 @@ export class Page {
       this.takeRecording(levels);
       this.curve.mark(this.target.faces());
       this.show.showResult();
-      this.target.update();
+      this.target.show();
       this.outcome.show(this.key());
       say({notes});
     });

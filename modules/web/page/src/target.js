@@ -27,12 +27,6 @@ export class Target {
     this.take(Math.max(this.fewest(), Math.round(share * mesh.faces)));
   }
 
-  /** Something that is known has changed: levels were measured, or a file was written. */
-  update() {
-    $('kind').querySelector('[value=error]').disabled = this.errors().length < 2;
-    this.show();
-  }
-
   fewest() {
     return this.mesh.fewest;
   }
@@ -108,6 +102,7 @@ export class Target {
     return JSON.stringify([this.kind, this.value, this.isProven()]);
   }
 
+  /** By what is known: levels may be measured, or a file written, later. */
   show() {
     const {kind, value, mesh} = this;
     const amount = String(kind === 'size' ? Number((value / kilobyte).toPrecision(6)) : value);
@@ -115,6 +110,7 @@ export class Target {
     $('range').value = 1000 * this.placeOf(value);
     $('range').setAttribute('aria-valuetext', kind === 'size' ? sizeText(value) : `${value} ${kind === 'faces' ? kind : lengthUnit}`);
     $('proof').hidden = kind !== 'error';
+    $('kind').querySelector('[value=error]').disabled = this.errors().length < 2;
     $('unit').textContent = {faces: 'faces', error: lengthUnit, size: 'kB'}[kind];
     $('meaning').textContent = this.meaning();
   }
