@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A control of the page (page.html), or another setting in its address (main.js).
+/// A control of the page (viewer.html), or another setting in its address (app.js).
 struct PageSetting {
   std::string_view name;
   std::string_view words;  ///< its values, with '|' between them; empty: a number, or nothing
