@@ -9,8 +9,6 @@ const $ = (id) => document.getElementById(id);
 /** Bytes a face that files of a format take, as far as it is known before one is written. */
 const usual = {ply: 23, stl: 50, obj: 35, off: 35, glb: 18, gltf: 18};
 
-const sizeOf = (files) => files.reduce((sum, {bytes}) => sum + bytes.byteLength, 0);
-
 export class Outcome {
   /** \param mesh as `open` has told of it */
   reset(mesh) {
@@ -36,12 +34,15 @@ export class Outcome {
     this.made = {result, key, memory, format: null, files: []};
   }
 
-  /** The files of what was made. \return their size */
+  /** The files of what was made. */
   takeFiles(format, files) {
     Object.assign(this.made, {format, files});
-    const size = sizeOf(files);
-    if (this.made.result.faces > 0) this.perFace[format] = size / this.made.result.faces;
-    return size;
+    if (this.made.result.faces > 0) this.perFace[format] = this.size() / this.made.result.faces;
+  }
+
+  /** Bytes of the files. */
+  size() {
+    return this.made.files.reduce((sum, {bytes}) => sum + bytes.byteLength, 0);
   }
 
   save() {
@@ -67,14 +68,14 @@ export class Outcome {
     $('made').append(dt, dd);
   }
 
-  rows({result, format, files}, mesh) {
+  rows({result, format}, mesh) {
     const {faces, error, proven, seconds} = result;
     const length = (x) => `${short(x)} ${lengthUnit}${mesh.diagonal > 0 ? `, ${percent(x / mesh.diagonal)}` : ''}`;
     const rows = [['Faces', `${faces.toLocaleString('en')}, ${percent(faces / mesh.faces)}`, 'Those of the result, and their share of all']];
     const of = 'as it was sampled; a share of the diagonal';
     if (error) rows.push(['Mean', length(error.mean), `Mean error, ${of}`], ['Largest', length(error.max), `Largest error, ${of}`]);
     if (proven !== null) rows.push(['Proven', length(proven), 'No place is farther off than this']);
-    if (format) rows.push(['File', `${sizeText(sizeOf(files))}, in ${short(seconds)} s`, 'The size of what is saved, and the time of the run']);
+    if (format) rows.push(['File', `${sizeText(this.size())}, in ${short(seconds)} s`, 'The size of what is saved, and the time of the run']);
     return rows;
   }
 }

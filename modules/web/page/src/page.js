@@ -98,7 +98,7 @@ export class Page {
     const {recording} = this.show.app;
     this.mesh.recording = recording;
     this.mesh.bytesPerFace = this.outcome.bytesPerFace();
-    if (recording.levels.length === 0 && levels.length > 0) this.show.takeLevels(levels);
+    if (levels.length > recording.levels.length) this.show.takeLevels(levels);
     this.curve.setMesh(recording, this.mesh.fewest, this.mesh.faces);
   }
 
@@ -183,22 +183,24 @@ export class Page {
     for (let nRuns = 1; ; ++nRuns) {
       const result = await calls.call(mesh.source, 'simplify', {target: goal, effort}, listeners);
       outcome.take(result, key, calls.memory);
-      const size = await this.write(listeners);
+      const notes = [...result.texts, ...await this.write(listeners)];
+      const size = outcome.size();
       const isLarger = kind === 'size' && size > asked;
       if (isLarger && nRuns < mostRuns && result.met) {
         goal = {faces: Math.max(1, Math.min(result.faces - 1, Math.floor(result.faces * asked / size)))};
         continue;
       }
-      return {result, notes: isLarger ? [...result.texts, 'The file is larger than was asked for.'] : result.texts};
+      return {result, notes: isLarger ? [...notes, 'The file is larger than was asked for.'] : notes};
     }
   }
 
-  /** \return the size of the files */
+  /** \return warnings, which it says, too */
   async write(listeners) {
     const format = this.outcome.format();
     const {files, warnings} = await this.calls.call(this.mesh.source, 'write', {format}, listeners);
+    this.outcome.takeFiles(format, files);
     say({notes: warnings});
-    return this.outcome.takeFiles(format, files);
+    return warnings;
   }
 
   async save() {
