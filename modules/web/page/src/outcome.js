@@ -70,10 +70,9 @@ export class Outcome {
 
   rows({result, format}, mesh) {
     const {faces, error, proven, seconds} = result;
-    const length = (x) => `${short(x)} ${lengthUnit}${mesh.diagonal > 0 ? `, ${percent(x / mesh.diagonal)}` : ''}`;
+    const length = (x) => `${short(x)} ${lengthUnit}`;
     const rows = [['Faces', `${faces.toLocaleString('en')}, ${percent(faces / mesh.faces)}`, 'Those of the result, and their share of all']];
-    const of = 'as it was sampled; a share of the diagonal';
-    if (error) rows.push(['Mean', length(error.mean), `Mean error, ${of}`], ['Largest', length(error.max), `Largest error, ${of}`]);
+    if (error) rows.push(['Mean', length(error.mean), 'Mean error, as it was sampled'], ['Largest', length(error.max), 'Largest error, as it was sampled']);
     if (proven !== null) rows.push(['Proven', length(proven), 'No place is farther off than this']);
     if (format) rows.push(['File', `${sizeText(this.size())}, in ${short(seconds)} s`, 'The size of what is saved, and the time of the run']);
     return rows;

@@ -152,7 +152,7 @@ export class Page {
 
   /** The result is written anew, so that its size is told. */
   async onFormat() {
-    if (this.isInMemory()) await this.work.does($('ask'), (listeners) => this.write(listeners));
+    if (this.isInMemory()) await this.work.does($('ask'), async (listeners) => say({notes: await this.write(listeners)}));
     this.mesh.bytesPerFace = this.outcome.bytesPerFace();
     this.target.show();
     this.outcome.show(this.key());
@@ -165,13 +165,12 @@ export class Page {
     return this.work.does($('ask'), async (listeners) => {
       const {result, notes} = await this.run(listeners);
       const {levels} = this.mesh.recording;
-      if (!await this.show.show(result.page, true, () => {})) return;
+      if (!await this.show.show(result.page, true, () => say({notes}))) return;
       this.takeRecording(levels);
       this.curve.mark(this.target.faces());
       this.show.showResult();
       this.target.show();
       this.outcome.show(this.key());
-      say({notes});
     });
   }
 
@@ -194,12 +193,11 @@ export class Page {
     }
   }
 
-  /** \return warnings, which it says, too */
+  /** \return warnings */
   async write(listeners) {
     const format = this.outcome.format();
     const {files, warnings} = await this.calls.call(this.mesh.source, 'write', {format}, listeners);
     this.outcome.takeFiles(format, files);
-    say({notes: warnings});
     return warnings;
   }
 
@@ -208,7 +206,8 @@ export class Page {
     const isWritten = () => outcome.made?.key === this.key() && outcome.made.format === outcome.format();
     const isMade = () => outcome.made?.key === this.key() && this.isInMemory();
     if (!isWritten() && !isMade() && !await this.simplify()) return;
-    if (!isWritten() && !await this.work.does($('ask'), (listeners) => this.write(listeners))) return;
+    if (!isWritten()) await this.onFormat();
+    if (!isWritten()) return;
     outcome.save();
   }
 }
