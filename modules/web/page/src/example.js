@@ -20,7 +20,7 @@ function writeRing(i, lines) {
   const up = cross(aside, along);
   for (let j = 0; j < nAround; ++j) {
     const s = 2 * Math.PI * j / nAround;
-    const radius = 0.45 + 0.04 * Math.sin(40 * t) * Math.cos(6 * s);
+    const radius = 0.45 + 0.035 * Math.sin(48 * t) * Math.cos(5 * s);
     const point = middle.map((x, d) => x + radius * (Math.cos(s) * aside[d] + Math.sin(s) * up[d]));
     lines.push(`v ${point.map((x) => x.toFixed(5)).join(' ')}`);
   }
@@ -37,7 +37,7 @@ export function* writeExample(lines) {
   for (let i = 0; i < nAlong; ++i) {
     for (let j = 0; j < nAround; ++j) {
       const [a, b, c, d] = [vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j)];
-      lines.push(`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`);
+      lines.push(`f ${a} ${c} ${b}`, `f ${a} ${d} ${c}`);
     }
     yield;
   }
