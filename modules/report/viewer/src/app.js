@@ -64,9 +64,10 @@ export async function prepare(page) {
 }
 
 export class App {
-  /** \param prepared by `prepare` \param isPlayed whether a recording has the player's controls */
-  constructor({json, behind, original, results, recording}, {isPlayed = true} = {}) {
-    Object.assign(this, {json, original, results, recording, isPlayed});
+  /** \param prepared by `prepare` \param isPlayed whether a recording has the player's controls
+      \param isHeld whether nothing is drawn before `show` */
+  constructor({json, behind, original, results, recording}, {isPlayed = true, isHeld = false} = {}) {
+    Object.assign(this, {json, original, results, recording, isPlayed, isHeld});
     this.ending = new AbortController();
     const box = boxOf(original.surface);
     this.diagonal = box.high.distanceTo(box.low) * unit * json.step; // model units
@@ -339,9 +340,14 @@ export class App {
 
   /** Before the next picture. */
   draw() {
-    if (!this.isDrawn || this.isClosed()) return;
+    if (this.isHeld || !this.isDrawn || this.isClosed()) return;
     this.isDrawn = false;
     this.frame = requestAnimationFrame(() => this.drawNow());
+  }
+
+  show() {
+    this.isHeld = false;
+    this.draw();
   }
 
   drawNow() {

@@ -8,6 +8,9 @@ import {forgetTextures} from './colours.js';
 /** The layer of what is drawn over everything else, by the colours that are there. */
 export const lineLayer = 1;
 
+/** The context of a canvas, which takes long to make. */
+export const contextOf = (canvas) => canvas.getContext('webgl2', {antialias: false, preserveDrawingBuffer: true});
+
 export class View {
   /** \param box {low, high}: what is to be seen \param behind a uniform: what is drawn below the lines
       \param onChange is called when another drawing is needed */
@@ -15,7 +18,7 @@ export class View {
     this.canvas = canvas;
     this.measureCanvas();
     Object.assign(canvas, this.sharpSize()); // before it has a picture, which would have to be made anew
-    this.renderer = new WebGLRenderer({canvas, antialias: false, preserveDrawingBuffer: true});
+    this.renderer = new WebGLRenderer({canvas, context: contextOf(canvas)});
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.autoClear = false;
     this.scene = new Scene();

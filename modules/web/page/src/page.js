@@ -91,6 +91,7 @@ export class Page {
     this.outcome.reset(mesh);
     this.takeRecording([]);
     this.target.reset(mesh);
+    this.show.draw();
   }
 
   /** The viewer has a new recording. \param levels of it that were measured */
@@ -109,6 +110,7 @@ export class Page {
     this.measuring = measuring;
     $('measured').textContent = mesh.isMeasured ? '' : 'measuring';
     const isWanted = () => this.measuring === measuring;
+    await this.show.app.drawn(); // which takes all cores of small machines
     while (!mesh.isMeasured && isWanted()) {
       try {
         await this.calls.measure(mesh.source, (point) => { if (isWanted()) this.takeLevel(point); });
@@ -169,6 +171,7 @@ export class Page {
       this.takeRecording(levels);
       this.curve.mark(this.target.faces());
       this.show.showResult();
+      this.show.draw();
       this.target.show();
       this.outcome.show(this.key());
     });

@@ -1,5 +1,6 @@
 // Shows one page of meshes after another in the viewer.
 import {App, prepare} from '../../../report/viewer/src/app.js';
+import {contextOf} from '../../../report/viewer/src/view.js';
 import {ViewState} from '../../../report/viewer/src/view_state.js';
 
 const ids = ['viewer', 'advice', 'keys']; // of the viewer's markup
@@ -11,6 +12,9 @@ function reader({json, bytes}) {
   return {json, array};
 }
 
+/** What comes after is a task of its own, so that the page answers before. */
+const ownTask = () => new Promise((next) => setTimeout(next));
+
 export class Show {
   constructor() {
     this.markup = ids.map((id) => $(id).cloneNode(true));
@@ -19,17 +23,23 @@ export class Show {
   }
 
   /** \param page {json, bytes} \param isSameMesh whether the camera stays \param onReady is called before it is drawn
-      \return whether it is shown: another one may have been asked for meanwhile */
+      \return whether it can be drawn: another one may have been asked for meanwhile */
   async show(page, isSameMesh, onReady) {
     const number = ++this.nShown;
     const prepared = await prepare(reader(page));
-    await new Promise((next) => setTimeout(next)); // what comes is a task of its own
+    const markup = this.markup.map((element) => element.cloneNode(true));
+    await ownTask();
+    contextOf(markup[0].querySelector('#canvas'));
+    await ownTask();
     if (number !== this.nShown) return false;
     const changes = this.state?.changes() ?? {changed: [], camera: null};
     if (!isSameMesh) changes.camera = null;
-    this.close();
+    this.app?.close();
+    ids.forEach((id, i) => $(id).replaceWith(markup[i])); // nothing listens to it any more
     onReady();
-    this.app = new App(prepared, {isPlayed: false});
+    this.app = new App(prepared, {isPlayed: false, isHeld: true});
+    await ownTask();
+    if (number !== this.nShown) return false;
     window.whittle = this.app;
     this.state = new ViewState(this.app);
     this.state.restore(changes);
@@ -37,11 +47,8 @@ export class Show {
     return true;
   }
 
-  /** Puts the markup back, without anything that listens to it. */
-  close() {
-    this.app?.close();
-    this.app = null;
-    ids.forEach((id, i) => $(id).replaceWith(this.markup[i].cloneNode(true)));
+  draw() {
+    this.app.show();
   }
 
   /** Shows the level of the recording with at most so many faces. */

@@ -133,8 +133,9 @@ export class Target {
     const about = kind === 'faces' ? [] : [`about ${counted(nFaces, 'face', 'faces')}`];
     if (error && kind !== 'error') about.push(`largest error ${isBeyond ? 'below' : 'about'} ${short(error.max)} ${lengthUnit}`);
     if (kind !== 'size') about.push(`about ${sizeText(nFaces * mesh.bytesPerFace)}`);
+    if (this.isProven()) about.splice(0, about.length, `the picture has ${counted(nFaces, 'face', 'faces')}, the result may have others`);
     const words = [this.share(), about.join(', ')].filter((part) => part).join(': ');
-    const sentence = `${words[0].toUpperCase()}${words.slice(1)}.${this.isProven() ? ' A proof may take more faces.' : ''}`;
+    const sentence = `${words[0].toUpperCase()}${words.slice(1)}.`;
     if (kind === 'error' && recording.contractionsWithin(value) === null) return `No measured level keeps within ${value}. ${sentence}`;
     return isBeyond ? `${sentence} The picture has at most ${counted(recording.facesAfter[0], 'face', 'faces')}.` : sentence;
   }
