@@ -11,7 +11,7 @@ const [nodeModules, chromium, file, mesh, whittle, folder] = process.argv.slice(
 
 const patience = 60000; // milliseconds, on a busy machine
 const longest = 100; // milliseconds of a task, on a machine with nothing else to do
-const patient = 3; // times that, on any other
+const patient = 10; // times that, where other work and software that draws share two cores
 const [laptop, phone] = [{width: 1366, height: 768}, {width: 400, height: 800}];
 const nFaces = 5120;
 
@@ -213,22 +213,34 @@ async function keepsWithinAnError(user) {
   await page.uncheck('#prove');
 }
 
+/** What OBJ takes a face isn't known before: the first result is too large. */
 async function keepsWithinASize(user) {
+  await user.page.selectOption('#format', 'obj');
   await user.ask('size', 150);
   await user.press('simplify');
   const {length} = await user.save();
   assert.ok(length <= 150000 && length > 100000, `${length} bytes`);
+  await user.page.selectOption('#format', 'ply');
+  await user.rest();
 }
 
-/** A run that is cancelled leaves the page as it was. */
+/** A run that is cancelled ends, and leaves the page as it was. */
 async function cancels(user) {
   const {page} = user;
-  await user.ask('faces', nFaces);
-  await page.selectOption('#effort', 'normal');
+  const [worker] = page.workers();
+  await page.selectOption('#kind', 'error');
+  await page.check('#prove');
+  await page.selectOption('#effort', 'best'); // takes seconds
   await page.click('#simplify');
-  await page.click('#cancel');
+  const ended = new Promise((end, fail) => {
+    worker.on('close', end);
+    setTimeout(() => fail(new Error('the run goes on')), patience).unref();
+  });
+  await Promise.all([ended, page.click('#cancel')]);
   await user.rest();
   assert.equal(await user.text('alert'), '');
+  await user.ask('faces', nFaces);
+  await page.selectOption('#effort', 'normal');
   isSame(await user.save(), written('ply', ['--faces', nFaces]), 'after it was cancelled');
 }
 
@@ -247,21 +259,26 @@ async function bearsBrokenFiles(user) {
   }
 }
 
-/** Two meshes are dropped together; a list has both. */
+/** Two meshes are dropped together, one of them compressed; a list has both. */
 async function takesDrops(user) {
   const {page} = user;
   const base64 = fs.readFileSync(mesh).toString('base64');
-  await aside(page, () => page.evaluate(([text, name]) => {
+  const [first, other] = [path.basename(mesh), `other_${path.basename(mesh)}.gz`];
+  const isTaken = await aside(page, () => page.evaluate(async ([text, ...names]) => {
     const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+    const packed = await new Response(new Blob([bytes]).stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer();
     const dataTransfer = new DataTransfer();
-    for (const one of [name, `other_${name}`]) dataTransfer.items.add(new File([bytes], one));
-    for (const type of ['dragover', 'drop']) document.getElementById('stage').dispatchEvent(new DragEvent(type, {dataTransfer, bubbles: true, cancelable: true}));
-  }, [base64, path.basename(mesh)]));
+    for (const [i, part] of [bytes, packed].entries()) dataTransfer.items.add(new File([part], names[i]));
+    return ['dragover', 'drop'].every((type) =>
+      !document.getElementById('stage').dispatchEvent(new DragEvent(type, {dataTransfer, bubbles: true, cancelable: true})));
+  }, [base64, first, other]));
+  assert.ok(isTaken, 'the browser would show what is dropped by itself');
   await user.until(() => document.getElementById('mesh').options.length === 2, null, 'the list of meshes');
   await user.rest();
-  await page.selectOption('#mesh', `other_${path.basename(mesh)}`);
+  await page.selectOption('#mesh', other);
   await user.until(() => document.getElementById('title').textContent.startsWith('other_'), null, 'the other mesh');
   await user.rest();
+  assert.equal(await page.inputValue('#mesh'), other);
   await user.measured();
 }
 
@@ -278,7 +295,7 @@ async function uses(page) {
     await page.emulateMedia({colorScheme});
     await isAccessible(page, colorScheme);
   }
-  for (const does of [choosesATarget, drawsTheCurve, savesWhatTheProgramWrites, keepsWithinAnError, keepsWithinASize, cancels, bearsBrokenFiles, takesDrops]) {
+  for (const does of [choosesATarget, drawsTheCurve, keepsWithinASize, savesWhatTheProgramWrites, keepsWithinAnError, cancels, bearsBrokenFiles, takesDrops]) {
     await does(user).catch((error) => { throw new Error(`${does.name}: ${error.message}`, {cause: error}); });
     await hasAnswered(page, does.name);
   }

@@ -10,12 +10,12 @@ const $ = (id) => document.getElementById(id);
 const usual = {ply: 23, stl: 50, obj: 35, off: 35, glb: 18, gltf: 18};
 
 export class Outcome {
-  /** \param mesh as `open` has told of it */
+  /** \param mesh as `open` has told of it, with its `source` */
   reset(mesh) {
     this.mesh = mesh;
     this.made = null; // what was asked for, and what came
     this.perFace = {...usual};
-    if (mesh.faces > 0 && !/\.gz$/i.test(mesh.name)) this.perFace[mesh.format] = mesh.bytes / mesh.faces;
+    if (mesh.faces > 0 && !/\.gz$/i.test(mesh.source.name)) this.perFace[mesh.format] = mesh.bytes / mesh.faces;
     $('format').replaceChildren(...mesh.formats.map(({id, name}) => new Option(name, id)));
     if (mesh.formats.some(({id}) => id === mesh.format)) $('format').value = mesh.format;
     this.show('');

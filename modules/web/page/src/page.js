@@ -65,7 +65,7 @@ export class Page {
     const source = {files, name};
     await this.work.does(this.mesh ? $('ask') : $('ways'), async (listeners) => {
       const {facts, page} = await this.calls.open(source, listeners);
-      if (await this.show.show(page, false, () => this.reveal(files, facts))) this.begin({...facts, source, isMeasured: false});
+      if (await this.show.show(page, false, () => this.reveal(source, facts))) this.begin({...facts, source, isMeasured: false});
     });
     if (!this.mesh) return;
     $('mesh').value = this.mesh.source.name; // if it failed, the one that is still shown
@@ -73,7 +73,7 @@ export class Page {
   }
 
   /** All that takes room is there before the picture is drawn: it would have to be drawn anew. */
-  reveal(files, {name, warnings, notes}) {
+  reveal({files, name}, {warnings, notes}) {
     this.files = files;
     say({notes: [...warnings, ...notes]});
     $('title').textContent = document.title = name;
