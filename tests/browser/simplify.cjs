@@ -121,13 +121,15 @@ async function isAccessible(page, what) {
 
 /** Every control that can be used says what it does. */
 async function namesItsControls(page) {
-  const untold = await page.$$eval('button, input, select', (all) => all.filter((e) => e.offsetParent !== null && !e.closest('[title]')).map(({id}) => id));
+  const untold = await page.$$eval('button, input, select', (all) => all
+    .filter((e) => e.offsetParent !== null && !e.closest('[title]')).map(({id}) => id));
   assert.deepEqual(untold, [], 'controls without a tooltip');
 }
 
 /** All controls are in the window without scrolling. */
 async function fitsTheWindow(page, {width, height}) {
-  const outside = await page.$$eval('button, input, select, canvas, #curve', (all, [right, bottom]) => all.filter((e) => e.offsetParent !== null || e.id === 'curve')
+  const outside = await page.$$eval('button, input, select, canvas, #curve', (all, [right, bottom]) => all
+    .filter((e) => e.offsetParent !== null || e.id === 'curve')
     .map((e) => ({id: e.id, box: e.getBoundingClientRect()}))
     .filter(({box}) => box.left < 0 || box.top < 0 || box.right > right || box.bottom > bottom).map(({id}) => id), [width, height]);
   assert.deepEqual(outside, [], 'controls out of the window');
@@ -295,7 +297,8 @@ async function uses(page) {
     await page.emulateMedia({colorScheme});
     await isAccessible(page, colorScheme);
   }
-  for (const does of [choosesATarget, drawsTheCurve, keepsWithinASize, savesWhatTheProgramWrites, keepsWithinAnError, cancels, bearsBrokenFiles, takesDrops]) {
+  const all = [choosesATarget, drawsTheCurve, keepsWithinASize, savesWhatTheProgramWrites, keepsWithinAnError, cancels, bearsBrokenFiles, takesDrops];
+  for (const does of all) {
     await does(user).catch((error) => { throw new Error(`${does.name}: ${error.message}`, {cause: error}); });
     await hasAnswered(page, does.name);
   }

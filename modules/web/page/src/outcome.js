@@ -72,7 +72,8 @@ export class Outcome {
     const {faces, error, proven, seconds} = result;
     const length = (x) => `${short(x)} ${lengthUnit}`;
     const rows = [['Faces', `${faces.toLocaleString('en')}, ${percent(faces / mesh.faces)}`, 'Those of the result, and their share of all']];
-    if (error) rows.push(['Mean', length(error.mean), 'Mean error, as it was sampled'], ['Largest', length(error.max), 'Largest error, as it was sampled']);
+    if (error) rows.push(['Mean', length(error.mean), 'Mean error, as it was sampled']);
+    if (error) rows.push(['Largest', length(error.max), 'Largest error, as it was sampled']);
     if (proven !== null) rows.push(['Proven', length(proven), 'No place is farther off than this']);
     if (format) rows.push(['File', `${sizeText(this.size())}, in ${short(seconds)} s`, 'The size of what is saved, and the time of the run']);
     return rows;
