@@ -1,4 +1,4 @@
-// What the page tells, above the picture: why something failed, and notes.
+// What the page tells, over the picture: why something failed, and notes.
 
 const $ = (id) => document.getElementById(id);
 

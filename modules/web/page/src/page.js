@@ -72,7 +72,7 @@ export class Page {
     this.measure();
   }
 
-  /** All that takes room is there before the picture is drawn: it would have to be drawn anew. */
+  /** All that takes room is there before the picture is drawn: one of another size would have to be drawn anew. */
   reveal({files, name}, {warnings, notes}) {
     this.files = files;
     say({notes: [...warnings, ...notes]});
