@@ -135,15 +135,16 @@ test('a result: its page has the original, the levels and the result, and the er
   const {engine} = opened(data('blob.obj'));
   engine.call('record_levels');
   const facts = engine.call('simplify_session', 'normal', 400, NaN);
+  const error = engine.call('measure_result');
   assert.deepEqual([facts.faces, facts.met, facts.proven], [400, true, null]);
   const {json} = engine.page();
   assert.equal(json.results[0].faces, 400);
-  assert.deepEqual(json.results[0].error, facts.error);
+  assert.deepEqual(json.results[0].error, error);
   const out = path.join(folder, 'blob400.obj');
   engine.call('write_result', 'obj');
   writeFileSync(out, engine.takeOutputs()[0].bytes);
   const measured = JSON.parse(execFileSync(program, ['measure', data('blob.obj'), out, '--samples', '100000', '--json', '-', '--quiet']));
-  assert.ok(Math.abs(measured.mean - facts.error.mean) < 1e-3 * facts.error.mean);
+  assert.ok(Math.abs(measured.mean - error.mean) < 1e-3 * error.mean);
 });
 
 test('a mesh of more faces than are drawn', {skip: !existsSync(path.join(meshes, 'dragon_vrip.ply')) && 'no real meshes here'}, () => {

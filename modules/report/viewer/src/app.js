@@ -14,7 +14,7 @@ import {Recording} from './recording.js';
 import {doInSlices} from './slices.js';
 import {Spot} from './spot.js';
 import {Surface, unit} from './surface.js';
-import {View} from './view.js';
+import {View, drawsBySoftware} from './view.js';
 import {worstOfLevel, worstOfSurface} from './worst.js';
 
 const $ = (id) => document.getElementById(id);
@@ -76,6 +76,7 @@ export class App {
     this.nDescribed = 0;
     this.motion = new Motion((wasQuick) => this.onRest(wasQuick));
     this.view = new View($('canvas'), box, behind, () => this.onView());
+    if (this.isSlow(json)) this.motion.expectSlow();
     this.spot = new Spot($('spot'), this.view);
     this.exact = new ExactColours(this.view, () => this.draw());
     for (const model of [this.original, ...this.results]) this.view.scene.add(model.group);
@@ -86,6 +87,12 @@ export class App {
     this.applyTheme();
     this.apply();
     this.motion.stop(); // setting up the view was no movement
+  }
+
+  /** Whether a moving view can't have all faces: known before it moves. */
+  isSlow({original, results}) {
+    const most = 30000; // faces that software draws in time
+    return drawsBySoftware(this.view.renderer.getContext()) && [original, ...results].reduce((sum, {faces}) => sum + faces, 0) > most;
   }
 
   setUpChoices() {

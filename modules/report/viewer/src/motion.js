@@ -18,6 +18,11 @@ export class Motion {
     this.nSlow = 0;
   }
 
+  /** It is known, before anything moves, that all of it can't be drawn in time. */
+  expectSlow() {
+    this.roughness = 1;
+  }
+
   /** The view moves. */
   goOn() {
     this.isMoving = true;

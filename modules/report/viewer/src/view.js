@@ -8,8 +8,25 @@ import {forgetTextures} from './colours.js';
 /** The layer of what is drawn over everything else, by the colours that are there. */
 export const lineLayer = 1;
 
+const sharpRatio = () => Math.max(2, window.devicePixelRatio || 1);
+
+/** Gives a canvas the pixels that it has when it is sharp. Another number of them waits for the graphics processor.
+    \param width, height of its element */
+export function sizeSharply(canvas, width, height) {
+  const [x, y] = [width, height].map((n) => Math.floor(Math.max(1, n) * sharpRatio()));
+  if (canvas.width !== x) canvas.width = x;
+  if (canvas.height !== y) canvas.height = y;
+}
+
 /** The context of a canvas, which takes long to make. */
 export const contextOf = (canvas) => canvas.getContext('webgl2', {antialias: false, preserveDrawingBuffer: true});
+
+/** Whether the processor draws, not a graphics card. Some browsers tell the renderer's name by an extension alone. */
+export function drawsBySoftware(context) {
+  const name = context.getParameter(context.RENDERER);
+  const extension = name === 'WebKit WebGL' && context.getExtension('WEBGL_debug_renderer_info');
+  return /swiftshader|llvmpipe|software|basic render/i.test(extension ? context.getParameter(extension.UNMASKED_RENDERER_WEBGL) : name);
+}
 
 export class View {
   /** \param box {low, high}: what is to be seen \param behind a uniform: what is drawn below the lines
@@ -17,7 +34,7 @@ export class View {
   constructor(canvas, box, behind, onChange) {
     this.canvas = canvas;
     this.measureCanvas();
-    Object.assign(canvas, this.sharpSize()); // before it has a picture, which would have to be made anew
+    sizeSharply(canvas, this.width, this.height); // before it has a picture, which would have to be made anew
     this.renderer = new WebGLRenderer({canvas, context: contextOf(canvas)});
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.autoClear = false;
@@ -30,7 +47,7 @@ export class View {
     this.setUp('y');
     this.panes = 1;
     this.split = null; // a share of the width, where one pane ends and the other begins; null: they don't overlap
-    this.useSize(this.sharpRatio());
+    this.useSize(sharpRatio());
     this.fit();
   }
 
@@ -73,17 +90,13 @@ export class View {
 
   /** \param roughness of a moving view; at 0 there are several pixels for each of the screen, which smooths what is drawn */
   setRoughness(roughness) {
-    const wanted = [this.sharpRatio(), Math.min(1, window.devicePixelRatio || 1), 0.5][roughness];
+    const wanted = [sharpRatio(), Math.min(1, window.devicePixelRatio || 1), 0.5][roughness];
     if (this.renderer.getPixelRatio() !== wanted) this.renderer.setPixelRatio(wanted);
-  }
-
-  sharpRatio() {
-    return Math.max(2, window.devicePixelRatio || 1);
   }
 
   /** The pixels of the canvas when it is sharp. */
   sharpSize() {
-    return {width: Math.floor(this.width * this.sharpRatio()), height: Math.floor(this.height * this.sharpRatio())};
+    return {width: Math.floor(this.width * sharpRatio()), height: Math.floor(this.height * sharpRatio())};
   }
 
   /** The first pane's box, then the second's, in pixels from the left and from the bottom. `begin` and `end` bound what
@@ -104,7 +117,7 @@ export class View {
 
   /** The same, in the pixels of the canvas when it is sharp. */
   sharpBoxes() {
-    const ratio = this.sharpRatio();
+    const ratio = sharpRatio();
     return this.boxes().map((box) => Object.fromEntries(Object.entries(box).map(([key, value]) => [key, Math.round(value * ratio)])));
   }
 

@@ -1,9 +1,12 @@
-// The files that somebody drops or chooses.
+// The files that somebody drops or chooses: {name, file}, a name has the folders that were dropped.
 
 const mesh = /\.(obj|ply|stl|off|gltf|glb)(\.gz)?$/i;
 
 /** Files that can be opened; the others may belong to them. */
 export const meshesOf = (files) => files.filter(({name}) => mesh.test(name));
+
+/** \param file a File that is no folder's */
+export const named = (file) => ({name: file.name, file});
 
 const fileOf = (entry) => new Promise((resolve, reject) => entry.file(resolve, reject));
 
@@ -19,14 +22,14 @@ async function entriesOf(folder) {
 }
 
 async function filesOf(entry) {
-  if (entry.isFile) return [await fileOf(entry)];
+  if (entry.isFile) return [{name: entry.fullPath.replace(/^\//, ''), file: await fileOf(entry)}];
   return (await Promise.all((await entriesOf(entry)).map(filesOf))).flat();
 }
 
 /** \param transfer of a drop, which forgets its items when the event is over \return a promise of files, those in folders, too */
 export function droppedFiles({items}) {
   const dropped = [...items].filter(({kind}) => kind === 'file').map((item) => ({entry: item.webkitGetAsEntry(), file: item.getAsFile()}));
-  return Promise.all(dropped.map(({entry, file}) => entry?.isDirectory ? filesOf(entry) : [file])).then((all) => all.flat());
+  return Promise.all(dropped.map(({entry, file}) => entry?.isDirectory ? filesOf(entry) : [named(file)])).then((all) => all.flat());
 }
 
 /** Calls back with a transfer that is dropped anywhere on the page. */

@@ -5,5 +5,7 @@ import {warmUp} from './warm.js';
 
 const textOf = (id) => document.getElementById(id).textContent;
 
-new Page(new Calls(textOf('whittle-worker'), textOf('whittle-wasm')));
+const calls = new Calls(textOf('whittle-worker'), textOf('whittle-wasm'));
+new Page(calls);
 warmUp();
+calls.start(); // it compiles its module while nobody waits for it

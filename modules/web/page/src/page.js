@@ -3,7 +3,7 @@ import {doInSlices} from '../../../report/viewer/src/slices.js';
 import {Curve} from './curve.js';
 import {Cancelled} from './calls.js';
 import {writeExample} from './example.js';
-import {droppedFiles, meshesOf, setUpDrops} from './files.js';
+import {droppedFiles, meshesOf, named, setUpDrops} from './files.js';
 import {say} from './messages.js';
 import {Outcome} from './outcome.js';
 import {Show} from './show.js';
@@ -29,7 +29,7 @@ export class Page {
   setUpEvents() {
     for (const id of ['choose', 'open']) $(id).addEventListener('click', () => $('files').click());
     $('files').addEventListener('change', () => {
-      this.take([...$('files').files]);
+      this.take([...$('files').files].map(named));
       $('files').value = ''; // the same file may be chosen again
     });
     setUpDrops(async (transfer) => this.take(await droppedFiles(transfer)));
@@ -57,7 +57,7 @@ export class Page {
   async openExample() {
     const lines = [];
     await doInSlices(writeExample(lines));
-    this.take([new File([lines.join('\n')], 'knot.obj')]);
+    this.take([named(new File([lines.join('\n')], 'knot.obj'))]);
   }
 
   async open(files, name) {
@@ -174,7 +174,17 @@ export class Page {
       this.show.draw();
       this.target.show();
       this.outcome.show(this.key());
+      await this.measureResult(result, listeners);
     });
+  }
+
+  /** Once it is seen. */
+  async measureResult(result, listeners) {
+    await this.show.app.drawn();
+    const {error} = await this.calls.call(this.mesh.source, 'measure', {}, listeners);
+    result.error = error;
+    this.show.takeError(error);
+    this.outcome.show(this.key());
   }
 
   /** Simplifies and writes, again where the file is larger than was asked for. */

@@ -63,6 +63,12 @@ export class Show {
     $('result').dispatchEvent(new Event('change'));
   }
 
+  /** The mesh that was made was measured. \param error {mean, max} or null */
+  takeError(error) {
+    this.app.results.at(-1).surface.error = error;
+    this.app.showLabels();
+  }
+
   /** Levels were measured. */
   takeLevels(levels) {
     this.app.recording.levels = levels;

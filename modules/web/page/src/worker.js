@@ -3,11 +3,14 @@ import {MeshoptDecoder} from 'meshoptimizer';
 import {WhittleError} from '../../whittle/errors.js';
 import {Engine} from './engine.js';
 
+const quiet = 1000; // milliseconds without a call, after which levels are measured: a call waits for the one that is
+
 let compiled = null; // a promise
 let engine = null;
 let tell = () => {}; // of progress
 let isMeasuring = null; // the id of the call whose levels are measured whenever nothing else is to be done
 let lastCall = Promise.resolve();
+let lastAnswer = 0; // when it was
 
 /** \param text of WebAssembly: deflated, as base64 */
 async function compile(text) {
@@ -19,8 +22,8 @@ async function compile(text) {
   return WebAssembly.compile(await new Response(stream).arrayBuffer());
 }
 
-async function bytesOf(file) {
-  const isPacked = file.name.toLowerCase().endsWith('.gz');
+async function bytesOf({name, file}) {
+  const isPacked = name.toLowerCase().endsWith('.gz');
   const stream = isPacked ? file.stream().pipeThrough(new DecompressionStream('gzip')) : file.stream();
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
@@ -33,10 +36,10 @@ const calls = {
     engine = null; // its memory is free before the next one is filled
     const fresh = new Engine(await compiled, onProgress);
     onProgress({stage: 'reading', fraction: 0, faces: 0});
-    for (const file of files) fresh.files.set(unpackedName(file.webkitRelativePath || file.name), await bytesOf(file));
+    for (const one of files) fresh.files.set(unpackedName(one.name), await bytesOf(one));
     const facts = fresh.call('open_session', unpackedName(name));
     engine = fresh;
-    return {...facts, bytes: files.find((file) => file.name === name).size};
+    return {...facts, bytes: files.find((one) => one.name === name).file.size};
   },
   levels() {
     engine.call('record_levels');
@@ -45,6 +48,9 @@ const calls = {
   simplify({target, effort}) {
     const facts = engine.call('simplify_session', effort, target.faces ?? NaN, target.maxError ?? NaN);
     return {...facts, page: engine.page()};
+  },
+  measure() {
+    return {error: engine.call('measure_result')};
   },
   write({format}) {
     const warnings = engine.call('write_result', format);
@@ -69,10 +75,18 @@ async function answer({id, call, ...given}) {
   } catch (error) {
     fail(id, error);
   }
+  lastAnswer = performance.now();
 }
 
-/** Measures a level, then looks whether something else is asked for. */
+/** Measures a level, once nothing has been asked for a while. */
 function measure(id) {
+  setTimeout(() => {
+    if (performance.now() - lastAnswer < quiet) return measure(id);
+    lastCall = lastCall.then(() => measureNow(id));
+  }, Math.max(0, lastAnswer + quiet - performance.now()));
+}
+
+function measureNow(id) {
   let point = null;
   try {
     tell = () => {};
@@ -82,7 +96,7 @@ function measure(id) {
   }
   if (point === null) return postMessage({id, result: {}});
   postMessage({id, point});
-  setTimeout(() => { lastCall = lastCall.then(() => measure(id)); });
+  measure(id);
 }
 
 onmessage = ({data}) => {
@@ -91,7 +105,7 @@ onmessage = ({data}) => {
     compiled.catch(() => {}); // the first call gets the error
   } else if (data.call === 'curve') {
     isMeasuring = data.id;
-    lastCall = lastCall.then(() => measure(data.id));
+    measure(data.id);
   } else {
     lastCall = lastCall.then(() => answer(data));
   }

@@ -67,6 +67,8 @@ WHITTLE_EXPORT(simplify_session) const char* simplify_session(double n_faces, do
   return answered(session->simplify(given<std::uint64_t>(n_faces), given<double>(max_error), effort->value));
 }
 
+WHITTLE_EXPORT(measure_result) const char* measure_result() { return answered(session->measure_result()); }
+
 /// The text is the format's name. The answer has the warnings.
 WHITTLE_EXPORT(write_result) const char* write_result() { return answered(session->write(text)); }
 

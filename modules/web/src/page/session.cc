@@ -1,6 +1,7 @@
 #include "page/session.hh"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -181,14 +182,7 @@ Json Session::simplify(std::optional<std::uint64_t> n_faces, std::optional<doubl
   const double seconds = watch.seconds();
   const auto& [plan, outcome] = *done_;
   const IndexedMesh& mesh = outcome.simplified.mesh;
-  Json error = nullptr;
-  if (!mesh.faces.empty()) {
-    constexpr std::size_t samples = 100'000;
-    const auto distance = distance_of(original_, mesh, samples, observer_);
-    error = {{"mean", distance.mean}, {"max", distance.max}};
-    show_result();
-    page_.results.front().error = {distance.mean, distance.max};
-  }
+  show_result();
   std::vector<std::string> texts = all_warnings(plan, outcome);
   if (!outcome.met) texts.push_back(shortfall_text(plan, outcome));
   const std::optional<double> proven = outcome.simplified.result.proven_error;
@@ -196,13 +190,25 @@ Json Session::simplify(std::optional<std::uint64_t> n_faces, std::optional<doubl
           {"faces", mesh.faces.size()},
           {"met", outcome.met},
           {"texts", std::move(texts)},
-          {"error", std::move(error)},
           {"proven", proven ? Json(*proven) : Json(nullptr)},
           {"seconds", seconds}};
 }
 
-std::vector<std::string> Session::write(const std::string& name) {
+Json Session::measure_result() {
+  throw_unless_done();
+  if (page_.results.empty()) return nullptr;
+  constexpr std::size_t samples = 100'000;
+  const auto distance = distance_of(original_, done_->outcome.simplified.mesh, samples, observer_);
+  page_.results.front().error = {distance.mean, distance.max};
+  return {{"mean", distance.mean}, {"max", distance.max}};
+}
+
+void Session::throw_unless_done() const {
   if (!done_) throw std::invalid_argument("there is no result yet");
+}
+
+std::vector<std::string> Session::write(const std::string& name) {
+  throw_unless_done();
   const SceneFormat* const format = format_by_extension(name);
   if (format == nullptr) throw std::invalid_argument("'" + name + "' is no format that is written");
   // A proof is about the file.
@@ -213,6 +219,9 @@ std::vector<std::string> Session::write(const std::string& name) {
   SceneMessages messages;
   write_scene(files, output_of(*format), done_->plan.scene, done_->outcome.simplified.mesh, messages);
   files.commit();
+  for (std::string& line : messages.warnings) {
+    if (line.starts_with(output_folder)) line.erase(0, std::size(output_folder) - 1);
+  }
   return std::move(messages.warnings);
 }
 

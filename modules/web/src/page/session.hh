@@ -33,13 +33,16 @@ class Session {
   /// "max"}. First a few over the whole run, then those between. Null when all are measured. \pre `record` was called
   Json measure_next_level();
 
-  /// Does what `whittle simplify FILE --effort EFFORT` does, with one of both targets, and measures the result.
+  /// Does what `whittle simplify FILE --effort EFFORT` does, with one of both targets.
   /// \param n_faces at least 1 \param max_error proven, above 0, model units
-  /// \return {"vertices", "faces", "met", "texts", "error": {"mean", "max"}, "proven", "seconds"}
+  /// \return {"vertices", "faces", "met", "texts", "proven", "seconds"}
   Json simplify(std::optional<std::uint64_t> n_faces, std::optional<double> max_error, Effort effort);
 
+  /// The sampled error of the last result, both ways: {"mean", "max"}; null if it has no faces.
+  Json measure_result();
+
   /// Writes the last result, byte for byte as the program does, in a format by its name. A run whose format takes other
-  /// meshes of a document is made again. \return the names of the files that were written
+  /// meshes of a document is made again. \return warnings
   std::vector<std::string> write(const std::string& format);
 
   /// What the viewer shows: the original, the recording, and the last result.
@@ -56,6 +59,7 @@ class Session {
   SceneOutput output_of(const SceneFormat& format) const;
   void run(const SceneFormat& format);
   void show_result();
+  void throw_unless_done() const;
 
   std::string path_;
   RunObserver observer_;
