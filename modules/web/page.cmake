@@ -20,9 +20,7 @@ foreach(module io gltf scene metrics pipeline progressive report)
   list(APPEND page_names ${module})
 endforeach()
 file(GLOB sources CONFIGURE_DEPENDS src/page/*.cc)
-whittle_wasm_object(page FLAGS -Os -I${PROJECT_SOURCE_DIR}/modules/io/src -I${PROJECT_SOURCE_DIR}/modules/gltf/src
-                               -I${PROJECT_SOURCE_DIR}/modules/report/src ${page_flags}
-                    SOURCES ${sources} ${runtime} ${CMAKE_CURRENT_SOURCE_DIR}/src/support/filesystem.cc)
+whittle_wasm_object(page FLAGS -Os ${page_flags} SOURCES ${sources} ${runtime} ${CMAKE_CURRENT_SOURCE_DIR}/src/support/filesystem.cc)
 whittle_wasm(${objects_folder}/page.wasm ${page_names} page)
 
 set(simplify_page ${PROJECT_BINARY_DIR}/web/simplify.html)

@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "codec/meshopt.hh"
+#include "../../../gltf/src/codec/meshopt.hh"
 
 // Compressed glTF files, by meshoptimizer's own decoder for JavaScript.
 

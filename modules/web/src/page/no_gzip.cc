@@ -1,4 +1,4 @@
-#include "bytes/gzip.hh"
+#include "../../../io/src/bytes/gzip.hh"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "encoding.hh"
+#include "../../../report/src/encoding.hh"
 
 // Arrays of a page that the browser makes for itself: they are not compressed, nor put in another order.
 
