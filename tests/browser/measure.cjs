@@ -10,6 +10,7 @@ async function measure(browser, file) {
   await page.goto(`file://${path.resolve(file)}`);
   await page.waitForFunction(() => document.documentElement.dataset.ready);
   const first = await page.evaluate(() => document.documentElement.dataset.ready);
+  await page.evaluate(() => window.whittle.drawn());
   const seconds = await page.evaluate(() => new Promise((done) => {
     const nFrames = 60;
     let n = 0;

@@ -37,7 +37,8 @@ TEST(Layers, NameFoldersThatExist) { EXPECT_THAT(idle_rows(project(), project_la
 TEST(Includes, GoInNoCircle) { EXPECT_THAT(include_circles(project()), IsEmpty()); }
 
 TEST(Includes, OfThePageGoInNoCircle) {
-  const SourceTree page = read_source_tree(WHITTLE_SOURCE_DIR, {"modules/report/viewer/src", "modules/web/page/src", "modules/web/whittle"}, {".js"});
+  const SourceTree page = read_source_tree(
+      WHITTLE_SOURCE_DIR, {"modules/report/viewer/src", "modules/web/page/src", "modules/web/whittle"}, {".js"});
   EXPECT_GT(includes_of(page).size(), 10U);
   EXPECT_THAT(include_circles(page), IsEmpty());
 }

@@ -82,7 +82,7 @@ std::vector<Index> wedges_of(const IndexedMesh& charts, const IndexOnlyDecimatio
 
 CoarseFaces coarse_faces(const IndexedMesh& mesh, unsigned threads) {
   constexpr std::size_t n_coarse = 10'000;
-  if (mesh.faces.size() < 3 * n_coarse) return {};
+  if (mesh.faces.size() < 2 * n_coarse) return {};
   const DecimateTarget target = DecimateTarget::faces(n_coarse);
   SimplifyOptions options;
   options.decimate.threads = threads;

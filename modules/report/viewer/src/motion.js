@@ -20,7 +20,7 @@ export class Motion {
 
   /** It is known, before anything moves, that all of it can't be drawn in time. */
   expectSlow() {
-    this.roughness = 1;
+    this.roughness = roughest; // each change makes the picture anew, which takes several frames
   }
 
   /** The view moves. */
