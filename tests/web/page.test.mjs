@@ -106,6 +106,33 @@ test('a mesh with a material library and a texture, and glTF made of it', () => 
   assert.equal(engine.page().json.images.length, 1);
 });
 
+test('glTF without the files of its textures is drawn plain, and simplified all the same', () => {
+  const {positions, indices} = terrain(8);
+  const bytes = Buffer.concat([Buffer.from(Float32Array.from(positions).buffer), Buffer.from(indices.buffer)]);
+  const views = [{buffer: 0, byteLength: 4 * positions.length}, {buffer: 0, byteOffset: 4 * positions.length, byteLength: 4 * indices.length}];
+  writeFileSync(path.join(folder, 'bare.gltf'), JSON.stringify({
+    asset: {version: '2.0'},
+    buffers: [{byteLength: bytes.length, uri: `data:application/octet-stream;base64,${bytes.toString('base64')}`}],
+    bufferViews: views,
+    accessors: [{bufferView: 0, componentType: 5126, count: positions.length / 3, type: 'VEC3', min: [0, 0, -1], max: [1, 1, 1]},
+      {bufferView: 1, componentType: 5125, count: indices.length, type: 'SCALAR'}],
+    images: [{uri: 'lost.jpg'}],
+    textures: [{source: 0}],
+    materials: [{pbrMetallicRoughness: {baseColorTexture: {index: 0}}}],
+    meshes: [{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 0}]}],
+    nodes: [{mesh: 0}],
+    scenes: [{nodes: [0]}],
+    scene: 0,
+  }));
+  const {engine, facts} = opened(path.join(folder, 'bare.gltf'));
+  assert.match(facts.warnings.join(), /lost\.jpg is not among the files/);
+  engine.call('record_levels');
+  engine.call('simplify_session', 'normal', 40, NaN);
+  assert.equal(engine.page().json.results[0].faces, 40);
+  engine.call('write_result', 'glb');
+  assert.equal(engine.takeOutputs().length, 1);
+});
+
 test('compressed glTF', () => {
   const packed = path.join(folder, 'packed.glb');
   execFileSync(program, ['simplify', data('blob.obj'), '-o', packed, '--faces', '2000', '--compress', '--quiet']);

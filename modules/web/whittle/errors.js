@@ -18,7 +18,7 @@ export function textAt(memory, at) {
 /** \param type the mangled name of an exception's type */
 export function errorOf(type, what) {
   if (/bad_alloc|length_error/.test(type)) return new WhittleError('out of memory', 'memory');
-  return new WhittleError(what, /invalid_argument|ReadError|WriteError|UnsupportedMesh/.test(type) ? 'invalid' : 'internal');
+  return new WhittleError(what, /invalid_argument|runtime_error|parse_error|ReadError|WriteError|UnsupportedMesh/.test(type) ? 'invalid' : 'internal');
 }
 
 /** What a call of a module has thrown. */

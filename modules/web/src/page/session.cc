@@ -1,8 +1,10 @@
 #include "page/session.hh"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "whittle/core/geometry/bounds.hh"
@@ -54,6 +56,16 @@ std::string stem_of(const std::string& path) {
   return name.substr(0, name.find('.', 1));
 }
 
+/// Files that the scene names and nobody gave. Without them it is drawn without materials.
+std::vector<std::string> missing_files(const Scene& scene) {
+  std::vector<std::string> missing;
+  for (const std::filesystem::path& file : scene.needed_files) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) missing.push_back(file.string());
+  }
+  return missing;
+}
+
 void throw_unless_faces(const Scene& scene) {
   if (scene.read.mesh.faces.empty()) throw io::ReadError(scene.name, why_no_faces(scene.read));
 }
@@ -71,6 +83,10 @@ Session::Session(const std::string& path, RunObserver observer)
 
 Json Session::facts() const {
   const IndexedMesh& mesh = scene_.read.mesh;
+  std::vector<std::string> warnings = scene_.warnings;
+  for (const std::string& file : missing_files(scene_)) {
+    warnings.push_back(file + " is not among the files: the mesh is drawn without its materials");
+  }
   Json formats = Json::array();
   for (const SceneFormat* const format : scene_formats()) {
     formats.push_back({{"id", format->extensions.front()}, {"name", format->title}});
@@ -80,7 +96,7 @@ Json Session::facts() const {
           {"faces", mesh.faces.size()},
           {"diagonal", diagonal_},
           {"notes", Json::array()},
-          {"warnings", scene_.warnings},
+          {"warnings", std::move(warnings)},
           {"format", scene_.format->extensions.front()},
           {"formats", std::move(formats)}};
 }
@@ -96,6 +112,7 @@ report::PageSurface Session::surface_of(std::string name, const IndexedMesh& mes
   } else {
     surface.mesh = mesh;
   }
+  if (!missing_files(scene_).empty()) return surface;
   SceneMaterials materials = read_materials(scene_);
   if (materials.are_told) surface.materials = std::move(materials.of_groups);
   surface.colors = materials.colors;
