@@ -1,8 +1,9 @@
-// firefox.cjs NODE_MODULES FIREFOX PAGE: opens a page of a recording in Firefox, looks at each way to show it, and plays it.
+// firefox.cjs NODE_MODULES FIREFOX PAGE [SIMPLIFIER MESH]: opens a page of a recording in Firefox, looks at each way to show
+// it, and plays it; then has the page that simplifies make a mesh smaller.
 'use strict';
 const assert = require('assert/strict');
 const path = require('path');
-const [nodeModules, firefox, file] = process.argv.slice(2);
+const [nodeModules, firefox, file, simplifier, mesh] = process.argv.slice(2);
 const puppeteer = require(path.join(path.resolve(nodeModules), 'puppeteer-core'));
 
 /** A sum that tells pictures apart, when all is drawn. */
@@ -34,6 +35,18 @@ async function usesThePage(page) {
   assert.match(stopped, /^[\d,]+ faces, [\d,]+ contractions$/);
 }
 
+async function simplifies(page) {
+  const files = await page.$('#files');
+  await files.uploadFile(path.resolve(mesh));
+  await page.waitForFunction(() => window.whittle?.recording);
+  const original = await picture(page);
+  await page.click('#simplify');
+  await page.waitForFunction(() => document.querySelectorAll('#made dt').length > 3);
+  assert.match(await page.$eval('#made', (element) => element.textContent), /^Faces[\d,]+, 10 %Mean/);
+  assert.notEqual(await picture(page), original);
+  assert.equal(await page.$eval('#alert', (element) => element.textContent), '');
+}
+
 async function main() {
   const browser = await puppeteer.launch({browser: 'firefox', executablePath: firefox, headless: false,
     extraPrefsFirefox: {'webgl.force-enabled': true}}); // also where software draws
@@ -44,6 +57,10 @@ async function main() {
   await page.setViewport({width: 900, height: 700});
   await page.goto(`file://${path.resolve(file)}`);
   await usesThePage(page);
+  if (simplifier) {
+    await page.goto(`file://${path.resolve(simplifier)}`);
+    await simplifies(page);
+  }
   assert.deepEqual(messages, [], 'the page is silent');
   await browser.close();
 }
