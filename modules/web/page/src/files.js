@@ -5,6 +5,9 @@ const mesh = /\.(obj|ply|stl|off|gltf|glb)(\.gz)?$/i;
 /** Files that can be opened; the others may belong to them. */
 export const meshesOf = (files) => files.filter(({name}) => mesh.test(name));
 
+/** A mesh, and what may belong to it: not the other meshes. */
+export const filesOfMesh = (files, name) => files.filter((file) => file.name === name || !mesh.test(file.name));
+
 /** \param file a File that is no folder's */
 export const named = (file) => ({name: file.name, file});
 

@@ -3,7 +3,7 @@ import {doInSlices} from '../../../report/viewer/src/slices.js';
 import {Curve} from './curve.js';
 import {Cancelled} from './calls.js';
 import {writeExample} from './example.js';
-import {droppedFiles, meshesOf, named, setUpDrops} from './files.js';
+import {droppedFiles, filesOfMesh, meshesOf, named, setUpDrops} from './files.js';
 import {say} from './messages.js';
 import {Outcome} from './outcome.js';
 import {Show} from './show.js';
@@ -62,10 +62,10 @@ export class Page {
 
   async open(files, name) {
     this.measuring = null;
-    const source = {files, name};
+    const source = {files: filesOfMesh(files, name), name};
     await this.work.does(this.mesh ? $('ask') : $('ways'), async (listeners) => {
       const {facts, page} = await this.calls.open(source, listeners);
-      if (await this.show.show(page, false, () => this.reveal(source, facts))) this.begin({...facts, source, isMeasured: false});
+      if (await this.show.show(page, false, () => this.reveal({files, name}, facts))) this.begin({...facts, source, isMeasured: false});
     });
     if (!this.mesh) return;
     $('mesh').value = this.mesh.source.name; // if it failed, the one that is still shown
