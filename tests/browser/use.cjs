@@ -1,5 +1,5 @@
-// use.cjs NODE_MODULES CHROMIUM FOLDER: opens the pages that run.sh has written and uses each control of each, by mouse,
-// keyboard and touch.
+// use.cjs NODE_MODULES CHROMIUM FOLDER [PAGE...]: opens the pages that run.sh has written, or some of them, and uses each
+// control of each, by mouse, keyboard and touch. WHITTLE_WINDOW=1366x768 has another size; it takes longer.
 'use strict';
 const assert = require('assert/strict');
 const {known, usesTheKeys, usesThePlayer, usesTheView} = require('./controls.cjs');
@@ -26,7 +26,7 @@ const pages = [
   {name: 'levels.html', views: ['mouse']}, // several results
   {name: 'one.html', views: ['keys'], areKeysUsed: true}, // a mesh alone, with borders and non-manifold edges
 ];
-const window = {width: 320, height: 460}; // pictures are drawn often
+const [width, height] = (process.env.WHITTLE_WINDOW ?? '320x460').split('x').map(Number); // pictures are drawn often
 
 async function uses({name, about = {}, players = {}, views, areKeysUsed = false}, withPage, used) {
   const ways = [...Object.entries(players).map(([by, states]) => [usesThePlayer, by, states]), ...views.map((by) => [usesTheView, by]),
@@ -34,7 +34,7 @@ async function uses({name, about = {}, players = {}, views, areKeysUsed = false}
   for (const [use, by, states] of ways) {
     const start = Date.now();
     try {
-      await withPage(name, (page) => use(page, {by, about, states, used}), {...window, hasTouch: by === 'touch'});
+      await withPage(name, (page) => use(page, {by, about, states, used}), {width, height, hasTouch: by === 'touch'});
     } catch (error) {
       throw new Error(`${name}: ${error.message}`, {cause: error});
     }
