@@ -22,8 +22,8 @@ struct Joined {
 };
 
 struct RecordedRun {
-  Joined input;
-  Simplification last;  ///< without its steps
+  std::vector<Index> vertex_map;  ///< of the joined mesh
+  JobReport report;               ///< of the last level
   progressive::Replay replay;
 };
 
@@ -93,8 +93,8 @@ SimplifyOptions settled(const Job& job, const Joined& joined, double diagonal) {
   return options;
 }
 
-/// For each given row one of the vertices of the split mesh.
-std::vector<Index> map_of_rows(const Joined& joined, const Decimation& small, const IndexedMesh& split) {
+/// For each given row one of the vertices of the split mesh. \param map of rows to vertices before the run
+std::vector<Index> map_of_rows(std::vector<Index> map, const Decimation& small, const IndexedMesh& split) {
   std::vector<Index> first(small.mesh.positions.size(), invalid_index);
   for (std::size_t f = 0; f < split.faces.size(); ++f) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -102,7 +102,6 @@ std::vector<Index> map_of_rows(const Joined& joined, const Decimation& small, co
       vertex = std::min(vertex, split.faces[f][c]);
     }
   }
-  std::vector<Index> map(joined.vertex_map);
   for (Index& v : map) {
     if (v != invalid_index) v = small.vertex_map[v];
     if (v != invalid_index) v = first[v];
@@ -163,7 +162,7 @@ void Job::simplify() {
   results.clear();
   for (const Simplification& level : levels) results.push_back(split_at_wedges(level.mesh));
   report = report_of(input, levels.back());
-  vertex_map = map_of_rows(input, levels.back(), results.back());
+  vertex_map = map_of_rows(input.vertex_map, levels.back(), results.back());
   face_origins = std::move(levels.back().face_origins);
 }
 
@@ -173,8 +172,9 @@ void Job::record() {
   SimplifyOptions options = settled(*this, input, diagonal);
   options.decimate.keep_steps = true;
   Simplification last = whittle::simplify(input.mesh, target_of(*this, input, diagonal), settings.effort, options);
-  progressive::Replay replay(input.mesh, std::move(last.steps), options.decimate.normals);
-  recorded = std::make_shared<RecordedRun>(RecordedRun{std::move(input), std::move(last), std::move(replay)});
+  const JobReport of_last = report_of(input, last);
+  progressive::Replay replay(std::move(input.mesh), std::move(last.steps), options.decimate.normals);
+  recorded = std::make_shared<RecordedRun>(RecordedRun{std::move(input.vertex_map), of_last, std::move(replay)});
   take_level(0, false);
 }
 
@@ -184,11 +184,11 @@ void Job::take_level(std::uint64_t n, bool counts_vertices) {
   replay.go_to(level.value_or(replay.n_steps()));
   Decimation small = replay.decimation();
   results.assign(1, split_at_wedges(small.mesh));
-  report = report_of(recorded->input, recorded->last);
+  report = recorded->report;
   report.max_cost = replay.cost();
   report.n_contractions = static_cast<double>(replay.n_contractions());
   if (replay.level() < replay.n_steps()) report.proven_error = no_error;
-  vertex_map = map_of_rows(recorded->input, small, results.back());
+  vertex_map = map_of_rows(recorded->vertex_map, small, results.back());
   face_origins = std::move(small.face_origins);
 }
 

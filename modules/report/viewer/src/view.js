@@ -10,14 +10,6 @@ export const lineLayer = 1;
 
 const sharpRatio = () => Math.max(2, window.devicePixelRatio || 1);
 
-/** Gives a canvas the pixels that it has when it is sharp. Another number of them waits for the graphics processor.
-    \param width, height of its element */
-export function sizeSharply(canvas, width, height) {
-  const [x, y] = [width, height].map((n) => Math.floor(Math.max(1, n) * sharpRatio()));
-  if (canvas.width !== x) canvas.width = x;
-  if (canvas.height !== y) canvas.height = y;
-}
-
 /** The context of a canvas, which takes long to make. */
 export const contextOf = (canvas) => canvas.getContext('webgl2', {antialias: false, preserveDrawingBuffer: true});
 
@@ -34,7 +26,7 @@ export class View {
   constructor(canvas, box, behind, onChange) {
     this.canvas = canvas;
     this.measureCanvas();
-    sizeSharply(canvas, this.width, this.height); // before it has a picture, which would have to be made anew
+    Object.assign(canvas, this.sharpSize()); // before it has a picture, which would have to be made anew
     this.renderer = new WebGLRenderer({canvas, context: contextOf(canvas)});
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.autoClear = false;

@@ -73,9 +73,9 @@ export class Page {
   }
 
   /** All that takes room is there before the picture is drawn: one of another size would have to be drawn anew. */
-  reveal({files, name}, {warnings, notes}) {
+  reveal({files, name}, {warnings}) {
     this.files = files;
-    say({notes: [...warnings, ...notes]});
+    say({notes: warnings});
     $('title').textContent = document.title = name;
     $('mesh').replaceChildren(...meshesOf(files).map((file) => new Option(file.name)));
     $('mesh').value = name;

@@ -95,7 +95,6 @@ Json Session::facts() const {
           {"vertices", mesh.positions.size()},
           {"faces", mesh.faces.size()},
           {"diagonal", diagonal_},
-          {"notes", Json::array()},
           {"warnings", std::move(warnings)},
           {"format", scene_.format->extensions.front()},
           {"formats", std::move(formats)}};

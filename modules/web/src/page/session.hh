@@ -24,7 +24,7 @@ class Session {
   /// \param observer is told of everything that takes long \throw what `read_scene` throws
   Session(const std::string& path, RunObserver observer);
 
-  /// {"name", "vertices", "faces", "diagonal", "notes", "warnings", "format", "formats": [{"id", "name"}]}
+  /// {"name", "vertices", "faces", "diagonal", "warnings", "format", "formats": [{"id", "name"}]}
   Json facts() const;
 
   /// Records a fast run down to few faces, from what is drawn of the original: its levels are what a slider shows.

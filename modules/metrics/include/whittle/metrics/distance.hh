@@ -64,8 +64,8 @@ struct SurfaceDistance {
 SurfaceDistance surface_distance(const IndexedMesh& reference, const IndexedMesh& test,
                                  const DistanceOptions& options = {});
 
-/// The reference of several measurements: what is found out about it is kept, a search tree above all, which takes as
-/// much memory as three times the mesh.
+/// The reference of several measurements: what is found out about it is kept, a search tree above all, which takes
+/// several times the memory of the mesh.
 class DistanceReference {
  public:
   /// \param mesh must outlive this
