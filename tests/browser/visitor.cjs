@@ -1,7 +1,16 @@
 // Somebody who looks at a page and uses it, by mouse, keyboard or touch.
 'use strict';
 
+const assert = require('assert/strict');
+
 const patience = 20000; // milliseconds, on a busy machine
+
+/** What is wrong with what lies over the picture: in the page. */
+function faultsOfOverlays() {
+  const [reasons, legend] = ['reasons', 'legend'].map((id) => document.getElementById(id)).map((element) => element.hidden ? null
+    : element.getBoundingClientRect());
+  return reasons && legend && reasons.right > legend.left ? ['the legend covers the reasons'] : [];
+}
 
 class Visitor {
   constructor(page) {
@@ -10,6 +19,7 @@ class Visitor {
 
   /** What is seen. `picture` tells pictures apart. */
   async look() {
+    assert.deepEqual(await this.page.evaluate(faultsOfOverlays), []);
     return this.page.evaluate(async () => {
       await new Promise(requestAnimationFrame); // moves of a mouse and of fingers come with it
       await window.whittle.drawn();

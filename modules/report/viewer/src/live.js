@@ -39,7 +39,7 @@ export function followRun(app) {
   note.id = 'live';
   note.setAttribute('role', 'status');
   note.textContent = words(live);
-  document.getElementById('stage').append(note);
+  document.getElementById('meanings').prepend(note);
   if (live.problem) return;
   let isPressed = false; // nobody is interrupted while dragging
   addEventListener('pointerdown', () => { isPressed = true; });
