@@ -7,9 +7,13 @@ const patience = 20000; // milliseconds, on a busy machine
 
 /** What is wrong with what lies over the picture: in the page. */
 function faultsOfOverlays() {
-  const [reasons, legend] = ['reasons', 'legend'].map((id) => document.getElementById(id)).map((element) => element.hidden ? null
-    : element.getBoundingClientRect());
-  return reasons && legend && reasons.right > legend.left ? ['the legend covers the reasons'] : [];
+  const boxes = ['reasons', 'legend', 'spot'].map((id) => document.getElementById(id)).filter(({hidden}) => !hidden)
+    .map((element) => ({name: element.id, box: element.getBoundingClientRect()}));
+  const {left, right} = document.getElementById('stage').getBoundingClientRect();
+  const faults = boxes.filter(({box}) => box.left < left || box.right > right).map(({name}) => `${name} leaves the picture`);
+  const [reasons, legend] = ['reasons', 'legend'].map((id) => boxes.find(({name}) => name === id)?.box);
+  if (reasons && legend && reasons.right > legend.left) faults.push('the legend covers the reasons');
+  return faults;
 }
 
 class Visitor {

@@ -26,7 +26,11 @@ export class Spot {
     const place = point && pane < view.boxes().length ? view.placeOf(point, pane) : null;
     element.hidden = place === null;
     if (place === null) return;
-    element.classList.toggle('left', place.x > view.width / 2);
-    Object.assign(element.style, {left: `${place.x}px`, top: `${Math.min(view.height - 30, Math.max(30, place.y))}px`});
+    const isLeft = place.x > view.width / 2;
+    element.classList.toggle('left', isLeft);
+    const room = isLeft ? place.x : view.width - place.x;
+    Object.assign(element.style, {left: `${place.x}px`, maxWidth: `min(20rem, 80%, ${room}px - 1rem)`});
+    const half = element.offsetHeight / 2;
+    element.style.top = `${Math.min(view.height - half, Math.max(half, place.y))}px`;
   }
 }
