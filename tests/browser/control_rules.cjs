@@ -99,6 +99,7 @@ const buttons = {
   },
   help: async (page) => {
     assert.ok((await page.look()).isHelpOpen, 'the list of keys is there');
+    assert.equal(await page.page.$eval('#keys', ({scrollTop}) => scrollTop), 0, 'its beginning is seen');
     await page.press('close', 'keys');
     assert.ok(!(await page.look()).isHelpOpen, 'the list of keys is closed');
   },
