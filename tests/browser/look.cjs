@@ -190,6 +190,8 @@ async function fitsANarrowWindow(page) {
   assert.ok(overflow <= 0, `${overflow} pixels wider than the window`);
   const {halves} = await pixels(page);
   assert.ok(halves[0].shown > 200 && halves[1].shown > 200);
+  const shares = await page.$$eval('.label', (labels) => labels.map((label) => label.offsetHeight / window.whittle.view.boxes()[0].height));
+  assert.ok(Math.max(...shares) < 0.3, `labels take ${shares} of the height of their meshes`);
 }
 
 /** At 1,000 pixels of both surfaces, the colour is that of the exact distance of what is seen there. */

@@ -270,7 +270,10 @@ export class App {
     const lines = this.linesOf(left);
     const compared = left === this.original && left.range() && layout !== 'original' ? this.comparedWithOriginal() : this.result;
     if (compared !== this.result) lines.push(`compared with ${compared.surface.name}`);
-    if (layout === 'over') lines.push('over:', ...this.linesOf(this.result));
+    if (layout === 'over') {
+      const [name, ...others] = this.linesOf(this.result);
+      lines.push(`over: ${name}`, ...others);
+    }
     fillLabel($('left-label'), lines);
     fillLabel($('right-label'), this.view.panes > 1 ? this.linesOf(this.result) : []);
     this.placeWhatLiesOver();
