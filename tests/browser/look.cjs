@@ -194,6 +194,12 @@ async function fitsANarrowWindow(page) {
   assert.ok(Math.max(...shares) < 0.3, `labels take ${shares} of the height of their meshes`);
 }
 
+/** No text of the plots is smaller than that of a footnote. */
+async function hasLegiblePlots(page) {
+  const heights = await page.$$eval('#charts text:not([transform], :empty)', (texts) => texts.map((text) => text.getBoundingClientRect().height));
+  assert.ok(heights.length > 10 && Math.min(...heights) > 8, `text of ${Math.min(...heights)} pixels`);
+}
+
 /** At 1,000 pixels of both surfaces, the colour is that of the exact distance of what is seen there. */
 async function hasRightErrors(page, panes = [0, 1]) {
   await page.selectOption('#colour', 'error');
@@ -239,6 +245,7 @@ async function main() {
   await withPage('recording.html', hasEveryView, {hash: '#result=1'});
   await withPage('recording.html', obeysKeys);
   await withPage('recording.html', fitsANarrowWindow, {width: 360, height: 740});
+  for (const width of [360, 800, 1366, 1920]) await withPage('recording.html', hasLegiblePlots, {width, height: 740});
   await withPage('joined.html', (page) => showsEachLevel(page, readJson('cubes_levels.json').levels));
   await withPage('flipped.html', async (page) => {
     await showsEachLevel(page, readJson('terrain_levels.json').levels);
