@@ -84,7 +84,7 @@ export function showLegend(element, title, scale, top) {
     step.style.backgroundColor = `rgb(${r} ${g} ${b})`;
     steps.append(step);
   }
-  const labels = scale.names ?? [0, top / 4, top / 2, 3 * top / 4, top].map(short);
+  const labels = scale.names ?? (top > 0 ? [0, top / 4, top / 2, 3 * top / 4, top] : [0]).map(short);
   for (const label of labels) {
     const tick = document.createElement('span');
     tick.textContent = label;
