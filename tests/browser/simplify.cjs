@@ -199,6 +199,13 @@ async function savesWhatTheProgramWrites(user) {
   isSame(await user.save(), written('ply', ['--faces', nFaces, '--effort', 'fast']), 'fast effort'); // simplified before
 }
 
+/** The result has no colours of errors; the level of the run with as many faces has. */
+async function goesToTheWorstPlace(user) {
+  await user.page.click('#worst');
+  await user.until(() => /^Largest distance/.test(document.getElementById('spot').textContent), null, 'the worst place');
+  await user.shows(nFaces);
+}
+
 async function keepsWithinAnError(user) {
   const {page} = user;
   await page.selectOption('#kind', 'error');
@@ -294,7 +301,8 @@ async function uses(page) {
     await page.emulateMedia({colorScheme});
     await isAccessible(page, colorScheme);
   }
-  const all = [choosesATarget, drawsTheCurve, keepsWithinASize, savesWhatTheProgramWrites, keepsWithinAnError, cancels, bearsBrokenFiles, takesDrops];
+  const all = [choosesATarget, drawsTheCurve, keepsWithinASize, savesWhatTheProgramWrites, goesToTheWorstPlace, keepsWithinAnError,
+    cancels, bearsBrokenFiles, takesDrops];
   for (const does of all) {
     await does(user).catch((error) => { throw new Error(`${does.name}: ${error.message}`, {cause: error}); });
     await tellLongestTask(page, does.name);

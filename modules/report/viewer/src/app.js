@@ -565,10 +565,16 @@ export class App {
     return tree.distance(hit.point.clone().multiplyScalar(unit)) * this.json.step;
   }
 
-  /** Goes to the place with the largest error of what is shown, in its colours. */
+  /** Goes to the place with the largest error of what is shown, in its colours. Where the result has none, its level of
+      the recording is shown. */
   async showWorst() {
     $('colour').value = 'error';
     this.apply();
+    if (this.recording && !this.shownModels().some((model) => model.range())) {
+      const {nFaces} = this.result.surface;
+      this.showRecording();
+      this.player.goToFaces(nFaces);
+    }
     const number = ++this.nDescribed;
     const places = [];
     const models = this.shownModels();
