@@ -194,6 +194,20 @@ async function fitsANarrowWindow(page) {
   assert.ok(Math.max(...shares) < 0.3, `labels take ${shares} of the height of their meshes`);
 }
 
+/** All of the meshes is in the picture, beside and below each other. */
+async function fitsThePicture(page) {
+  for (const layout of ['original', 'over', 'beside']) {
+    await page.selectOption('#layout', layout);
+    await drawn(page);
+    const isFree = await page.evaluate(({data, width, height}) => {
+      const colours = new Uint32Array(data.buffer);
+      const sides = Array.from({length: height}, (_, y) => [colours[y * width], colours[(y + 1) * width - 1]]).flat();
+      return sides.every((colour) => colour === colours[0]);
+    }, await pixelsOfCanvas(page));
+    assert.ok(isFree, `${layout}: meshes reach out of the picture`);
+  }
+}
+
 /** No text of the plots is smaller than that of a footnote. */
 async function hasLegiblePlots(page) {
   const heights = await page.$$eval('#charts text:not([transform], :empty)', (texts) => texts.map((text) => text.getBoundingClientRect().height));
@@ -245,6 +259,7 @@ async function main() {
   await withPage('recording.html', hasEveryView, {hash: '#result=1'});
   await withPage('recording.html', obeysKeys);
   await withPage('recording.html', fitsANarrowWindow, {width: 360, height: 740});
+  await withPage('nonmanifold.html', fitsThePicture, {width: 360, height: 740});
   for (const width of [360, 800, 1366, 1920]) await withPage('recording.html', hasLegiblePlots, {width, height: 740});
   await withPage('joined.html', (page) => showsEachLevel(page, readJson('cubes_levels.json').levels));
   await withPage('flipped.html', async (page) => {

@@ -127,12 +127,13 @@ export class View {
     this.fitPanes();
   }
 
-  /** Lets the camera see what has the shape of a pane. */
+  /** Lets the camera see what has the shape of a pane, and as much along its shorter side as before. */
   fitPanes() {
     const {width, height} = this.boxes()[0];
+    const before = Math.min(1, this.camera.aspect);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    this.onChange();
+    this.zoom(before / Math.min(1, this.camera.aspect));
   }
 
   /** Looks at all of it, from the front, a little from above and from the side. */
