@@ -199,11 +199,13 @@ async function savesWhatTheProgramWrites(user) {
   isSame(await user.save(), written('ply', ['--faces', nFaces, '--effort', 'fast']), 'fast effort'); // simplified before
 }
 
-/** The result has no colours of errors; the level of the run with as many faces has. */
+/** The result has no colours of errors; the level of the run with as many faces has, up to its largest error. */
 async function goesToTheWorstPlace(user) {
   await user.page.click('#worst');
   await user.until(() => /^Largest distance/.test(document.getElementById('spot').textContent), null, 'the worst place');
   await user.shows(nFaces);
+  const [, largest] = /largest ([\d.e-]+)/.exec(await user.text('right-label'));
+  assert.equal(await user.page.textContent('#legend .ticks span:last-child'), largest);
 }
 
 async function keepsWithinAnError(user) {

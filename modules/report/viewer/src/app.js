@@ -180,9 +180,16 @@ export class App {
     this.view.setPanes(['beside', 'split'].includes(layout) ? 2 : 1, layout === 'split' ? Number($('split').value) / 1000 : null);
   }
 
+  /** Whether a model has the errors of its level, on a scale of its own: there is no player, whose levels are compared. */
+  isOnScaleOfLevel(model) {
+    return !this.isPlayed && Boolean(model?.errors) && model.range() === model.errors;
+  }
+
   /** Where the scale of errors ends, in their unit. */
   greatestShown() {
-    const greatest = (key) => Math.max(...[this.original, this.result].map((model) => model?.range()?.[key] ?? 0));
+    const ofLevel = ({max}) => ({max, usual: max});
+    const ranges = [this.original, this.result].map((model) => this.isOnScaleOfLevel(model) ? ofLevel(this.playing.error()) : model?.range());
+    const greatest = (key) => Math.max(...ranges.map((range) => range?.[key] ?? 0));
     const chosen = $('top').value;
     return chosen === 'usual' ? greatest('usual') : greatest('max') * Number(chosen);
   }
@@ -206,11 +213,11 @@ export class App {
     this.draw();
   }
 
-  /** Colours the recording by its errors from now on. The scale is that of its last level. */
+  /** Colours the recording by its errors from now on. With a player, the scale is that of its last level. */
   useLevelErrors() {
     const model = this.result;
     if (model.errors || !(this.recording.levels.length > 0)) return;
-    const {max} = this.recording.levels.at(-1);
+    const max = this.isPlayed ? this.recording.levels.at(-1).max : this.diagonal;
     const scale = this.results.find(({surface}) => surface.distances)?.surface.distances ?? {max, usual: max};
     const tree = this.exact.treeOf(this.original.surface);
     const errors = new LevelErrors(this.recording, scale, tree, this.json.step);
@@ -289,9 +296,13 @@ export class App {
 
   /** The level of the recording is another one. */
   onLevel() {
-    if (this.result?.surface === this.recording && this.playing) this.showLabels();
+    if (this.result?.surface === this.recording && this.playing) this.showLevel();
     this.spot.hide();
     this.draw();
+  }
+
+  showLevel() {
+    if (this.isOnScaleOfLevel(this.result)) this.apply(); else this.showLabels();
   }
 
   applyTheme() {

@@ -73,6 +73,6 @@ export class Show {
   takeLevels(levels) {
     this.app.recording.levels = levels;
     this.app.offerErrors();
-    this.app.showLabels();
+    this.app.showLevel();
   }
 }
