@@ -3,7 +3,7 @@
 import {short} from '../../../report/viewer/src/colours.js';
 import {counted, lengthUnit} from '../../../report/viewer/src/facts.js';
 
-const margin = {left: 58, right: 14, top: 10, bottom: 34}; // pixels
+const margin = {left: 58, right: 14, top: 18, bottom: 34}; // pixels
 const room = 70; // pixels between numbers along the axis of faces, at least
 const step = 2 ** (1 / 8); // a press of an arrow key
 const leap = 2;
