@@ -128,17 +128,16 @@ Index TriangleComplex::live_edge(Index e) const {
   return e;
 }
 
-std::span<const Neighbour> TriangleComplex::live_pairs(Index v) {
-  live_.clear();
+void TriangleComplex::list_live_pairs(Index v, std::vector<Neighbour>& pairs) {
+  pairs.clear();
   const std::span<const Neighbour> list = neighbours(v);
   const std::size_t step = is_ring(v) ? 1 : 2;
   for (std::size_t i = 0; i < list.size(); i += step) {
     const Neighbour& y = list[i + 1 < list.size() ? i + 1 : 0];
     const Neighbour first{representative(list[i].vertex), list[i].edge};
     const Neighbour second{representative(y.vertex), y.edge};
-    if (first.vertex != second.vertex) live_.insert(live_.end(), {first, second});
+    if (first.vertex != second.vertex) pairs.insert(pairs.end(), {first, second});
   }
-  return live_;
 }
 
 bool TriangleComplex::have_common_face(Index a, Index b) {

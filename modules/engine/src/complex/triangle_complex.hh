@@ -141,7 +141,12 @@ class TriangleComplex {
   // --------------------------------------------------------------------------------------------------------------
 
   /// The faces at v in pairs, with live corners. Valid until the next call.
-  std::span<const Neighbour> live_pairs(Index v);
+  std::span<const Neighbour> live_pairs(Index v) {
+    list_live_pairs(v, live_);
+    return live_;
+  }
+  /// The same into a list of the caller's. Several threads may ask at once.
+  void list_live_pairs(Index v, std::vector<Neighbour>& pairs);
   bool have_common_face(Index a, Index b);
   /// Makes v's list name vertices and edges as they are now.
   void compact(Index v);

@@ -61,6 +61,8 @@ class ErrorBound {
   /// Points of the input that are to be near to the surface: its vertices, and those that were added.
   std::span<const Vec3> points() const { return points_; }
   void add_points(std::span<const FarPoint> points);
+  /// A face of the input at a point. `invalid_index` if it is no vertex of a face.
+  Index face_at(Index point) const { return point < faces_at_.size() ? faces_at_[point] : invalid_index; }
   /// The other ends of the input's edges at a point. None if it isn't a vertex.
   std::span<const Index> neighbours(Index point) const {
     return point < neighbours_.size() ? neighbours_.of(point) : std::span<const Index>{};
@@ -97,6 +99,7 @@ class ErrorBound {
   std::vector<Vec3> points_;          ///< in the frame
   std::vector<double> point_limits_;  ///< of each, if there are tolerances
   detail::IndexLists<Index> neighbours_;
+  std::vector<Index> faces_at_;  ///< a face at each vertex of the input
   std::vector<Support> supports_;
 };
 

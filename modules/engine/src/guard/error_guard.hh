@@ -1,80 +1,110 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "complex/contraction_profile.hh"
 #include "complex/triangle_complex.hh"
 #include "error/error_bound.hh"
+#include "error/near_test.hh"
 #include "error/point_supports.hh"
-#include "guard/guard.hh"
-#include "whittle/core/geometry/box.hh"
 #include "whittle/core/geometry/proof/prover.hh"
 
 namespace whittle {
 
+/// A contraction that an error guard looks at.
+class ErrorLook {
+ public:
+  explicit ErrorLook(const ErrorBound& bound) : prover_(bound.input(), most_pieces_of_new_face) {}
+
+ private:
+  friend class ErrorGuard;
+
+  /// Pieces of a face that are looked at before the contraction is refused.
+  static constexpr int most_pieces_of_new_face = 256;
+
+  /// A face as the contraction would leave it. The merged vertex, which has no number yet, is `invalid_index`.
+  struct FaceAfter {
+    Triangle vertices;
+    NearTest near;
+  };
+
+  std::uint32_t number_ = 0;
+  Pair pair_{};
+  std::vector<LinkEdge> new_faces_;  ///< by their other corners
+  std::vector<Index> around_;        ///< the merged vertex' neighbours
+  std::vector<Index> affected_;      ///< points of the input whose support changes
+  Prover prover_;
+
+  // Of the position looked at last
+  Vec3 position_ = Vec3::Zero();
+  std::vector<FaceAfter> faces_;  ///< the new ones, and then, once they are asked for, those around them
+  std::vector<Index> after_;      ///< the support of each affected point: a face of `faces_`
+  NearFace nearest_;              ///< of the input, to the position
+  std::size_t n_looks_left_ = 0;
+  std::vector<Neighbour> star_;    ///< scratch
+  std::vector<LinkEdge> at_star_;  ///< scratch
+};
+
 /// Refuses what would take a point of the surface farther from the input than a bound, or a point of an edge of the
 /// input from the surface. The latter is no proof: points inside of a face may be farther, though they rarely are.
-class ErrorGuard : public Guard {
+///
+/// Several contractions can be looked at, and at once, if no two of their pairs have a neighbour in common.
+class ErrorGuard {
  public:
   /// \param bound with supports among the faces of the complex, by original vertices
   ErrorGuard(TriangleComplex& complex, const ErrorBound& bound);
+  virtual ~ErrorGuard() = default;
 
-  std::optional<Refusal> reason() const override { return Refusal::error; }
-  bool refuses_at(ContractionProfile& profile, const Vec3& position) override;
-  bool follows() const override { return true; }
-  void note(const Change& change) override;
+  ErrorLook new_look() const { return ErrorLook(bound_); }
+  /// Begins to look at a contraction, one at a time.
+  void begin(const ContractionProfile& profile, ErrorLook& look);
+  /// Whether the merged vertex may be at a position. Any number of threads may ask, each with a look of its own.
+  bool accepts(const Vec3& position, ErrorLook& look);
+  /// Where the merged vertex may rather be than at the position looked at last: nearer to the input. The farthest first
+  std::vector<Vec3> nearer_positions(const ErrorLook& look) const;
+  /// Whether the contraction is still accepted after others that were looked at since `first` have been made.
+  bool still_accepts(ErrorLook& look, const ErrorLook& first) const;
+  /// \pre the contraction was accepted where it was made
+  void note(const Change& change, const ErrorLook& look);
 
  protected:
-  /// Lists what a contraction makes: `add_new`.
-  virtual void list_new_faces(const ContractionProfile& profile);
-  /// Lists what is at the merged vertex' neighbours and isn't new: `add_around`.
-  virtual void list_faces_around();
+  using Faces = std::vector<LinkEdge>;
 
-  /// A face at the merged vertex by its other corners.
-  void add_new(Index x, Index y) {
-    add({invalid_index, x, y}, {position_, complex_.position(x), complex_.position(y)});
-  }
-  void add_around(const Triangle& face) {
-    if (!is_at_pair(face)) add(face, corners(face));
-  }
-  TriangleComplex& complex() { return complex_; }
-  std::span<const Index> around() const { return around_; }
+  /// Lists the faces that a contraction makes, by their corners besides the merged vertex.
+  virtual void list_new_faces(const ContractionProfile& profile, Faces& faces) const;
+  /// The faces of a star in pairs of neighbours. \return by their corners besides the vertex
+  virtual void list_faces_of(std::span<const Neighbour> star, Faces& faces) const;
 
  private:
-  /// A face as a contraction would leave it. The merged vertex, which has no number yet, is `invalid_index`.
-  struct FaceAfter {
-    Triangle vertices;
-    Corners corners;
-    Box box;
-  };
   /// A part of an edge of the input, and a face near to each of its ends.
   struct Segment {
     std::array<Vec3, 2> ends;
-    std::array<Corners, 2> faces;
+    std::array<NearTest, 2> faces;
     double reach;  ///< how far it may be from the surface
   };
-  /// Where a point is in `affected_`, if it is.
+  /// Which look a point is affected by, and its place there.
   struct Place {
     std::uint32_t look = 0;
     Index place = 0;
   };
 
-  void add(const Triangle& vertices, const Corners& corners) {
-    faces_.push_back({vertices, corners, bounds_of(corners)});
+  static bool is_at(const Pair& pair, const Triangle& face) {
+    return std::any_of(face.begin(), face.end(), [&pair](Index v) { return v == pair.a || v == pair.b; });
   }
-  void list_around(const ContractionProfile& profile);
-  void list_affected();
-  bool are_new_faces_near();
-  bool are_affected_near();
-  bool are_edges_near(Index point, Index support);
-  bool is_near(const Segment& segment, int depth);
-  bool find_support(const Vec3& point, double reach, Index& hint);
-  bool find_support_in_list(const Vec3& point, double reach, Index& hint);
-  bool is_at_pair(const Triangle& face) const;
-  static bool is_within(const Corners& face, const Vec3& point, double reach) {
-    return distance_to(face, point) <= reach;
-  }
+  static void list_around(const ContractionProfile& profile, std::vector<Index>& around);
+  void list_affected(ErrorLook& look);
+  void list_faces_around(ErrorLook& look) const;
+  bool are_affected_near(ErrorLook& look);
+  bool are_edges_near(ErrorLook& look, Index point, Index support) const;
+  bool is_edge_near(ErrorLook& look, Index point, Index support, Index other) const;
+  bool is_near(ErrorLook& look, const Segment& segment, int depth) const;
+  bool find_support(ErrorLook& look, const Vec3& point, double reach, Index& hint) const;
+  static bool find_support_in_list(ErrorLook& look, const Vec3& point, double reach, Index& hint);
+  bool are_new_faces_near(ErrorLook& look) const;
   /// How far points and edges of the input may be: what is left of the limit is for points inside of faces.
   static double reach(double limit) { return 0.99 * limit; }
   Corners corners(const Triangle& face) const {
@@ -84,18 +114,6 @@ class ErrorGuard : public Guard {
   TriangleComplex& complex_;
   const ErrorBound& bound_;
   PointSupports supports_;
-  Prover prover_;
-  Index last_ = invalid_index;  ///< a face of the input near the merged vertex looked at last
-
-  // Of the contraction looked at last.
-  Pair pair_;
-  Vec3 position_ = Vec3::Zero();  ///< of the merged vertex
-  std::size_t n_looks_left_ = 0;
-  std::vector<FaceAfter> faces_;  ///< the new ones, and then, once they are asked for, those around them
-  std::size_t n_new_ = 0;
-  std::vector<Index> around_;              ///< the merged vertex' neighbours
-  std::vector<Index> affected_;            ///< points of the input whose support changes
-  std::vector<Index> after_;               ///< the support of each of them: a face of `faces_`
   std::vector<Place> places_;              ///< per point of the input
   std::vector<std::uint8_t> has_refused_;  ///< per point of the input: whether a contraction was refused for it
   std::uint32_t n_looks_ = 0;
@@ -108,10 +126,8 @@ class BorderErrorGuard final : public ErrorGuard {
   using ErrorGuard::ErrorGuard;
 
  private:
-  void list_new_faces(const ContractionProfile& profile) override;
-  void list_faces_around() override;
-
-  std::vector<Index> ends_;  ///< scratch: the other corners of faces at a vertex
+  void list_new_faces(const ContractionProfile& profile, Faces& faces) const override;
+  void list_faces_of(std::span<const Neighbour> star, Faces& faces) const override;
 };
 
 }  // namespace whittle

@@ -13,15 +13,16 @@
 namespace whittle {
 namespace {
 
-/// Turns between two calls of the progress callback: about a millisecond, also where guards prove each face.
+/// Turns between two calls of the progress callback: about a millisecond, also where several pairs have one turn.
 constexpr std::uint64_t progress_interval = 2048;
-constexpr std::uint64_t progress_interval_of_proofs = 16;
+constexpr std::uint64_t progress_interval_of_several = 1;
 
 /// What a host's cost says of pairs that it refuses.
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// In the place of a guard's number.
 constexpr RefusedPairs::Refuser refused_by_cost = 0xfe;
+constexpr RefusedPairs::Refuser refused_for_error = 0xfd;
 
 /// Whether pairs stay where they were queued until their turn comes.
 bool is_lazy(const PairRanks& ranks, const DecimateOptions& options) {
@@ -63,11 +64,11 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Constraints& constrai
       cost_unit_(context.frame.unscale, cost_dimension_),
       host_(context.host),
       log_(context.log),
-      are_faces_proven_(context.limits.error_bound != nullptr),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
       filter_(complex),
       guards_(make_guards(complex, constraints, filter_, context)),
+      at_once_(complex, context.limits, context.options.threads),
       uncertain_(find_uncertain(complex, context.role)),
       ranks_(complex, cost, host_ && host_->cost() ? 0 : options_.valence_weight),
       touched_(reach_of_touched(ranks_, options_)),
@@ -97,35 +98,35 @@ void ContractionLoop::begin_with(std::span<const GuardedPair> refusals) {
   }
 }
 
-/// Calls `use(pair, guard)` for each pair left that a guard refused.
+/// Calls `use(pair, reason)` for each pair left that a guard refused.
 template <class Use>
 void ContractionLoop::for_each_refused(const Use& use) const {
   for (Index id = 0; id < complex_.n_pair_slots(); ++id) {
+    if (!complex_.is_pair_alive(id)) continue;
     const RefusedPairs::Refuser refuser = refused_.refuser(id);
-    if (refuser < guards_.size() && complex_.is_pair_alive(id)) use(id, *guards_[refuser]);
+    if (refuser < guards_.size()) use(id, guards_[refuser]->reason());
+    if (refuser == refused_for_error) use(id, Refusal::error);
   }
 }
 
 std::vector<GuardedPair> ContractionLoop::refusals() {
   std::vector<GuardedPair> refusals;
-  for_each_refused([&](Index id, const Guard& guard) {
+  for_each_refused([&](Index id, std::optional<Refusal> reason) {
     const auto [a, b] = complex_.ends(id);
-    refusals.push_back({{complex_.origin(a), complex_.origin(b)}, guard.reason()});
+    refusals.push_back({{complex_.origin(a), complex_.origin(b)}, reason});
   });
   return refusals;
 }
 
 DecimateResult ContractionLoop::run() {
   stop_.reset();
-  const std::uint64_t interval = are_faces_proven_ ? progress_interval_of_proofs : progress_interval;
+  const std::uint64_t interval = at_once_.any() ? progress_interval_of_several : progress_interval;
   for (std::uint64_t n_turns = 0; !stop_; ++n_turns) {
     if (target_reached()) {
       stop_ = StopReason::target;
     } else if (n_turns % interval == 0 && !report_progress()) {
       stop_ = StopReason::cancelled;
-    } else if (const std::optional<RankedPair> ranked = queue_->next()) {
-      take(*ranked);
-    } else if (!ask_guards_to_give_way()) {
+    } else if (!(at_once_.any() ? take_several() : take_next()) && !ask_guards_to_give_way()) {
       stop_ = StopReason::exhausted;
     }
   }
@@ -160,20 +161,96 @@ IndexedMesh ContractionLoop::surface_now() const {
                           [this](Index v) { return frame_.to_model(complex_.position(v)); });
 }
 
+/// \return whether there was a pair
+bool ContractionLoop::take_next() {
+  const std::optional<RankedPair> ranked = queue_->next();
+  if (ranked) take(*ranked);
+  return ranked.has_value();
+}
+
 /// Contracts the pair, puts it off, leaves it to a later stage, refuses it, or stops because of its cost.
 void ContractionLoop::take(const RankedPair& ranked) {
-  const double rank = ranked.rank.cost;
-  if (!complex_.is_contractible(ranked.pair)) return complex_.remove_pair(ranked.pair.id);
-  if (stop_at_cost(ranked.pair, rank)) return;
-  if (!gather_if_certain(ranked.pair)) return leave_to_later(ranked.pair);
+  if (!gather(ranked) || !find_places(ranked, 1)) return;
+  const auto [position, survivor] = places_.front();
+  if (const std::optional<double> cost = settle_cost(ranked, position)) contract(ranked, position, *cost);
+}
+
+/// The same with several pairs, but for those that are too near to others: these are queued again. \return as above
+bool ContractionLoop::take_several() {
+  constexpr std::size_t all_places = 8;
+  at_once_.clear();
+  put_off_.clear();
+  bool is_any = false;
+  while (!stop_ && !at_once_.is_full() && put_off_.size() <= at_once_.most()) {
+    const std::optional<RankedPair> ranked = queue_->next();
+    if (!ranked) break;
+    is_any = true;
+    if (!gather(*ranked)) continue;
+    if (!at_once_.is_apart(profile_)) {
+      put_off_.push_back(ranked->pair);
+    } else if (find_places(*ranked, all_places) && settle_cost(*ranked, places_.front().position)) {
+      at_once_.add(*ranked, profile_, places_);
+    }
+  }
+  at_once_.look();
+  for (PairsAtOnce::Entry& entry : at_once_.entries()) {
+    if (!entry.is_accepted) find_nearer_places(entry);
+  }
+  at_once_.look();
+  for (PairsAtOnce::Entry& entry : at_once_.entries()) finish(entry);
+  for (const Pair& pair : put_off_) {
+    if (complex_.is_pair_alive(pair.id)) queue_->add(pair_now(complex_, pair.id));
+  }
+  return is_any;
+}
+
+/// Contracts a pair that error guards have looked at, unless pairs before it have changed what a guard sees.
+void ContractionLoop::finish(PairsAtOnce::Entry& entry) {
+  const auto& [pair, rank] = entry.ranked;
+  if (target_reached()) return queue_->add(pair);
+  complex_.gather(pair, profile_);
+  profile_.ranked = rank;
+  if (!entry.is_accepted || !at_once_.still_accepts(entry)) return refuse_for_error(pair);
+  if (const auto refuser = find_refusal()) return refuse(*refuser);
+  placer_.place(profile_, rank);
+  const auto [position, survivor] = entry.place();
+  profile_.survivor = survivor;
+  if (const auto refuser = find_refusal_at(position)) return refuse(*refuser);
+  contract(entry.ranked, position, std::max(rank.cost, placer_.final_cost(profile_, rank, position)));
+  at_once_.note(change_, entry);
+}
+
+void ContractionLoop::refuse_for_error(const Pair& pair) {
+  if (refused_.refuser(pair.id) == RefusedPairs::none) ++result_.refusals[Refusal::error];
+  refused_.add(pair, refused_for_error);
+}
+
+/// Gathers the profile of a pair whose turn has come. \return whether it may be contracted
+bool ContractionLoop::gather(const RankedPair& ranked) {
+  if (!complex_.is_contractible(ranked.pair)) {
+    complex_.remove_pair(ranked.pair.id);
+    return false;
+  }
+  if (stop_at_cost(ranked.pair, ranked.rank.cost)) return false;
+  if (!gather_if_certain(ranked.pair)) {
+    leave_to_later(ranked.pair);
+    return false;
+  }
   profile_.ranked = ranked.rank;
-  const std::optional<Vec3> position = place(ranked);
-  if (!position) return;
-  const double cost = std::max(rank, placer_.final_cost(profile_, ranked.rank, *position));
-  if (cost == never) return refused_.add(ranked.pair, refused_by_cost);
-  if (cost > rank && queue_->postpone(ranked.pair, cost)) return;
-  if (stop_at_cost(ranked.pair, cost)) return;
-  contract(ranked, *position, cost);
+  return true;
+}
+
+/// The cost at a position. nullopt if the pair isn't to be contracted now.
+std::optional<double> ContractionLoop::settle_cost(const RankedPair& ranked, const Vec3& position) {
+  const double rank = ranked.rank.cost;
+  const double cost = std::max(rank, placer_.final_cost(profile_, ranked.rank, position));
+  if (cost == never) {
+    refused_.add(ranked.pair, refused_by_cost);
+    return std::nullopt;
+  }
+  if (cost > rank && queue_->postpone(ranked.pair, cost)) return std::nullopt;
+  if (stop_at_cost(ranked.pair, cost)) return std::nullopt;
+  return cost;
 }
 
 /// \return whether all that decides about the pair is known: it is manifold, and nothing around it is uncertain
@@ -220,33 +297,65 @@ bool ContractionLoop::stop_at_cost(const Pair& pair, double cost) {
   return true;
 }
 
-/// The first position that no guard refuses; nullopt, and the refusal noted, if there is none.
-std::optional<Vec3> ContractionLoop::place(const RankedPair& ranked) {
-  for (std::size_t i = 0; i < guards_.size(); ++i) {
-    if (!guards_[i]->refuses(profile_)) continue;
-    refuse(i);
-    return std::nullopt;
+/// Lists places that no guard refuses, up to `most`. Notes the refusal if there is none.
+bool ContractionLoop::find_places(const RankedPair& ranked, std::size_t most) {
+  places_.clear();
+  if (const auto refuser = find_refusal()) {
+    refuse(*refuser);
+    return false;
   }
   // The higher origin survives, so that no pair's rank among ties moves forward. But a vertex that may not move
   // survives in any case.
   const Index survivor = constraints_.of(ranked.pair) == PairConstraint::first ? ranked.pair.a : ranked.pair.b;
   const CandidatePositions candidates = placer_.place(profile_, ranked.rank);
   std::optional<std::size_t> refusal;
-  for (std::size_t i = 0; i < candidates.n; ++i) {
+  for (std::size_t i = 0; i < candidates.n && places_.size() < most; ++i) {
     const CandidatePositions::Option& option = candidates.options[i];
     profile_.survivor = option.survivor == invalid_index ? survivor : option.survivor;
-    refusal = find_refusal_at(option.position);
-    if (!refusal) return option.position;
+    const std::optional<std::size_t> refusal_there = find_refusal_at(option.position);
+    if (refusal_there) {
+      refusal = refusal_there;
+    } else {
+      places_.push_back({option.position, profile_.survivor});
+    }
+  }
+  if (!places_.empty()) {
+    profile_.survivor = places_.front().survivor;
+    return true;
   }
   if (refusal) {
     refuse(*refusal);
   } else {
     refused_.add(ranked.pair, refused_by_cost);  // by a host's cost, which counts it
   }
+  return false;
+}
+
+/// Adds places nearer to the input to those of a pair, all of which error guards have refused.
+void ContractionLoop::find_nearer_places(PairsAtOnce::Entry& entry) {
+  if (!may_place_anywhere(entry.ranked.pair)) return;
+  complex_.gather(entry.ranked.pair, profile_);
+  profile_.ranked = entry.ranked.rank;
+  profile_.survivor = entry.places.front().survivor;
+  for (const Vec3& position : at_once_.nearer_positions(entry)) {
+    if (!find_refusal_at(position)) entry.places.push_back({position, profile_.survivor});
+  }
+}
+
+/// Whether the merged vertex may lie elsewhere than where the cost puts it.
+bool ContractionLoop::may_place_anywhere(const Pair& pair) const {
+  return options_.effective_cost() != Cost::midpoint && options_.quadric.placement == Placement::optimal &&
+         constraints_.of(pair) == PairConstraint::none;
+}
+
+/// The guard that refuses the pair wherever its merged vertex goes.
+std::optional<std::size_t> ContractionLoop::find_refusal() {
+  for (std::size_t i = 0; i < guards_.size(); ++i) {
+    if (guards_[i]->refuses(profile_)) return i;
+  }
   return std::nullopt;
 }
 
-/// The number of the guard that refuses the position.
 std::optional<std::size_t> ContractionLoop::find_refusal_at(const Vec3& position) {
   for (std::size_t i = 0; i < guards_.size(); ++i) {
     if (guards_[i]->refuses_at(profile_, position)) return i;
@@ -284,8 +393,8 @@ bool ContractionLoop::ask_guards_to_give_way() {
 /// Each pair that is left counts once, for the guard that refused it last.
 RefusalCounts ContractionLoop::count_refused_pairs() const {
   RefusalCounts counts;
-  for_each_refused([&counts](Index, const Guard& guard) {
-    if (const auto reason = guard.reason()) ++counts[*reason];
+  for_each_refused([&counts](Index, std::optional<Refusal> reason) {
+    if (reason) ++counts[*reason];
   });
   return counts;
 }

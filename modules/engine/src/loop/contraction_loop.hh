@@ -8,6 +8,7 @@
 #include "complex/uncertain_vertices.hh"
 #include "cost/pair_cost.hh"
 #include "guard/guard.hh"
+#include "loop/pairs_at_once.hh"
 #include "loop/stage_context.hh"
 #include "loop/working_surface.hh"
 #include "pairs/threshold_pair_filter.hh"
@@ -27,6 +28,9 @@ namespace whittle {
 ///     if the final cost is above the rank: queue the pair again
 ///     else contract, and tell the change to cost, constraints, queue, waiting pairs and listener
 ///     if no pair is left: queue those again that were refused by guards that give way
+///
+/// With a bound of the error several pairs are taken at a time, far enough from each other, and error guards look at
+/// them at once.
 class ContractionLoop {
  public:
   /// \param refusals of stages before, that still hold
@@ -45,12 +49,21 @@ class ContractionLoop {
   bool target_reached() const;
   bool report_progress() const;
   IndexedMesh surface_now() const;
+  bool take_next();
   void take(const RankedPair& ranked);
+  bool take_several();
+  void finish(PairsAtOnce::Entry& entry);
+  void refuse_for_error(const Pair& pair);
+  bool gather(const RankedPair& ranked);
   bool gather_if_certain(const Pair& pair);
   void leave_to_later(const Pair& pair);
   void list_affected(Index v);
   bool stop_at_cost(const Pair& pair, double cost);
-  std::optional<Vec3> place(const RankedPair& ranked);
+  bool find_places(const RankedPair& ranked, std::size_t most);
+  void find_nearer_places(PairsAtOnce::Entry& entry);
+  bool may_place_anywhere(const Pair& pair) const;
+  std::optional<double> settle_cost(const RankedPair& ranked, const Vec3& position);
+  std::optional<std::size_t> find_refusal();
   std::optional<std::size_t> find_refusal_at(const Vec3& position);
   void refuse(std::size_t guard);
   bool ask_guards_to_give_way();
@@ -80,12 +93,12 @@ class ContractionLoop {
   Frame::CostUnit cost_unit_;  ///< of the model
   DecimationHost* host_;
   ContractionLog* log_;
-  bool are_faces_proven_;  ///< by a guard, which takes long
   std::uint64_t n_initial_vertices_;
   std::uint64_t n_initial_faces_;
 
   ThresholdPairFilter filter_;
   Guards guards_;
+  PairsAtOnce at_once_;
   std::vector<Guard*> followers_;               ///< the guards that are told of each contraction
   int n_rings_ = 1;                             ///< how far the guards look
   std::optional<UncertainVertices> uncertain_;  ///< of a block in exact order
@@ -95,8 +108,10 @@ class ContractionLoop {
   RefusedPairs refused_;
   std::vector<Index> woken_;     ///< scratch
   std::vector<Index> affected_;  ///< scratch
+  std::vector<Pair> put_off_;    ///< scratch
 
   ContractionProfile profile_;
+  std::vector<MergedPlace> places_;  ///< of its merged vertex, that no guard refuses
   Change change_;
   std::optional<HostedContraction> told_;  ///< scratch
   std::optional<StopReason> stop_;

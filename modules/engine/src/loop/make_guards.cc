@@ -3,7 +3,6 @@
 #include "guard/areas/area_guard.hh"
 #include "guard/constraint_guards.hh"
 #include "guard/displacement_guard.hh"
-#include "guard/error_guard.hh"
 #include "guard/flip_guard.hh"
 #include "guard/hidden_pair_guard.hh"
 #include "guard/intersection_guard.hh"
@@ -34,8 +33,6 @@ Guards make_guards(TriangleComplex& complex, const Constraints& constraints, Thr
   if (host != nullptr && host->may_refuse()) add(std::make_unique<HostGuard>(complex, *host));
   if (limits.displacement)
     add(std::make_unique<DisplacementGuard>(complex, *limits.displacement, limits.displacements));
-  if (limits.border_bound) add(std::make_unique<BorderErrorGuard>(complex, *limits.border_bound));
-  if (limits.error_bound) add(std::make_unique<ErrorGuard>(complex, *limits.error_bound));
   if (!context.areas.of.empty()) add(std::make_unique<AreaGuard>(complex, context.areas));
   return guards;
 }
