@@ -58,8 +58,7 @@ std::vector<VertexPair> mapped(const std::vector<VertexPair>& edges, const std::
 
 }  // namespace
 
-PolishOptions DecimationPolisher::polish_options(const SimplifyOptions& options, const std::vector<std::uint8_t>& held,
-                                                 const Decimation& decimation) const {
+PolishOptions DecimationPolisher::polish_options(const SimplifyOptions& options, const Decimation& decimation) const {
   const DecimateOptions& decimate = options.decimate;
   PolishOptions result;
   result.passes = *options.polish_passes;
@@ -73,8 +72,6 @@ PolishOptions DecimationPolisher::polish_options(const SimplifyOptions& options,
   result.threads = decimate.threads;
   result.progress = polish_progress(decimate, decimation);
   result.locked = locked_outputs(decimate.locked, decimation);
-  result.locked.resize(std::max(result.locked.size(), held.size()));
-  for (std::size_t v = 0; v < held.size(); ++v) result.locked[v] |= held[v];
   for (const Index f : input_->regions.empty() ? std::vector<Index>{} : decimation.face_origins) {
     result.regions.push_back(input_->regions[f]);
   }
@@ -98,14 +95,13 @@ void DecimationPolisher::prepare(const DecimateOptions& options, const ProgressC
                        face_regions(mesh_, options.regions), diagonal_of(mesh_.positions)});
 }
 
-PolishResult DecimationPolisher::polish(const SimplifyOptions& options, Decimation& decimation,
-                                        const std::vector<std::uint8_t>& held) {
+PolishResult DecimationPolisher::polish(const SimplifyOptions& options, Decimation& decimation) {
   if (options.polish_passes == 0U) return {};
   const DecimateOptions& decimate = options.decimate;
   try {
     std::call_once(is_prepared_, [&] { prepare(decimate, polish_progress(decimate, decimation)); });
     return whittle::polish(input_->original, decimation.vertex_map, decimation.mesh,
-                           polish_options(options, held, decimation));
+                           polish_options(options, decimation));
   } catch (const Cancelled&) {
     PolishResult result;
     result.cancelled = true;

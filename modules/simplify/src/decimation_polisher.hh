@@ -17,9 +17,7 @@ class DecimationPolisher {
   explicit DecimationPolisher(const IndexedMesh& mesh) : mesh_(mesh) {}
 
   /// Several threads may do so at once, each with a decimation of its own.
-  /// \param held per vertex of the decimation, 1 = stays; or empty
-  PolishResult polish(const SimplifyOptions& options, Decimation& decimation,
-                      const std::vector<std::uint8_t>& held = {});
+  PolishResult polish(const SimplifyOptions& options, Decimation& decimation);
 
  private:
   /// The input, prepared for polish.
@@ -31,8 +29,7 @@ class DecimationPolisher {
   };
 
   void prepare(const DecimateOptions& options, const ProgressCallback& progress);
-  PolishOptions polish_options(const SimplifyOptions& options, const std::vector<std::uint8_t>& held,
-                               const Decimation& decimation) const;
+  PolishOptions polish_options(const SimplifyOptions& options, const Decimation& decimation) const;
 
   const IndexedMesh& mesh_;
   std::once_flag is_prepared_;

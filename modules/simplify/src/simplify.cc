@@ -49,9 +49,9 @@ Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget
   std::optional<Stopwatch> fitting;
   detail::Fit fit;
   if (settled.polish_passes > 0U) {
-    fit = [&](Decimation& decimation, const std::vector<std::uint8_t>& held) {
+    fit = [&](Decimation& decimation) {
       if (!fitting) fitting.emplace();
-      polish = polisher.polish(settled, decimation, held);
+      polish = polisher.polish(settled, decimation);
       return !polish.cancelled;
     };
   }

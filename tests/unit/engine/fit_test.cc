@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "support/shapes/shapes.hh"
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/detail/decimate_and_fit.hh"
 #include "whittle/metrics/certify.hh"
@@ -16,14 +17,11 @@ namespace {
 
 using detail::decimate_and_fit;
 using detail::FittedDecimation;
-using Held = std::vector<std::uint8_t>;
 
-/// Moves the first vertices that aren't held.
+/// Moves the first vertices.
 detail::Fit move_up(Index n_vertices, double way) {
-  return [=](Decimation& decimation, const Held& held) {
-    for (Index v = 0; v < n_vertices; ++v) {
-      if (held.empty() || held[v] == 0) decimation.mesh.positions[v].z() += way;
-    }
+  return [=](Decimation& decimation) {
+    for (Index v = 0; v < n_vertices; ++v) decimation.mesh.positions[v].z() += way;
     return true;
   };
 }
@@ -50,38 +48,57 @@ TEST(Fit, IsWhatDecimateGivesAndThenWhatTheFitDoes) {
   EXPECT_EQ(moved[1].position, expected[1]);
 }
 
-TEST(Fit, HoldsVerticesWhereTheErrorWouldGetTooLarge) {
+TEST(Fit, GoesAsFarAsTheErrorAllows) {
   const IndexedMesh mesh = grid(30, 30);
   constexpr double limit = 0.05;
   const DecimateTarget target = DecimateTarget::max_error(limit).or_faces(400);
   const Decimation plain = decimate(mesh, target, {});
   ASSERT_GT(plain.mesh.positions.size(), 100);
-  int n_calls = 0;
-  const auto fit = [&](Decimation& decimation, const Held& held) {
-    ++n_calls;
+  const auto fit = [&](Decimation& decimation) {
     for (Vec3& p : decimation.mesh.positions) p.z() += limit / 4;
-    if (held[0] == 0) decimation.mesh.positions[0].z() += 2 * limit;
+    decimation.mesh.positions[0].z() += 2 * limit;
+    decimation.mesh.positions[50].z() += 100 * limit;
     return true;
   };
   const auto [fitted, is_fitted] = decimate_and_fit(mesh, target, {}, fit);
   EXPECT_TRUE(is_fitted);
-  EXPECT_EQ(n_calls, 2);
-  EXPECT_EQ(fitted.mesh.positions[0].z(), limit / 4);
+  EXPECT_DOUBLE_EQ(fitted.mesh.positions[0].z(), 2.25 * limit / 3);
+  EXPECT_EQ(fitted.mesh.positions[50].z(), 0);
+  EXPECT_EQ(fitted.mesh.positions.back().z(), limit / 4);
   EXPECT_EQ(metrics::certify(mesh, fitted.mesh, limit).verdict, Verdict::proven);
 }
 
-TEST(Fit, IsTakenBackWhereTheErrorIsTooLargeWhateverIsHeld) {
+TEST(Fit, TurnsNoFaceOverWhereItGoesPartOfTheWay) {
+  const IndexedMesh mesh = grid(30, 30);
+  const double step = (mesh.positions[1] - mesh.positions[0]).norm();
+  const DecimateTarget target = DecimateTarget::max_error(step / 2).or_faces(400);
+  // A push aside as long as several edges: alone the vertices that keep within the limit would go it.
+  const auto fit = [&](Decimation& decimation) {
+    for (Vec3& p : decimation.mesh.positions) {
+      p.x() += 6 * step;
+      p.z() += p.y() > 0.5 ? step : 0;
+    }
+    return true;
+  };
+  const auto [fitted, is_fitted] = decimate_and_fit(mesh, target, {}, fit);
+  for (const Triangle& face : fitted.mesh.faces) {
+    EXPECT_GE(area_normal(fitted.mesh.positions, face).z(), 0);
+  }
+  EXPECT_EQ(metrics::certify(mesh, fitted.mesh, step / 2).verdict, Verdict::proven);
+}
+
+TEST(Fit, IsTakenBackWhereTheErrorIsTooLargeOnAnyWay) {
   const IndexedMesh mesh = noisy_sphere(3, 0.01, 5);
   const DecimateTarget target = DecimateTarget::max_error(0.05);
   const Decimation plain = decimate(mesh, target, {});
-  const auto push_all = [](Decimation& decimation, const Held&) {
+  const auto push_all = [](Decimation& decimation) {
     for (Vec3& p : decimation.mesh.positions) p *= 2;
     return true;
   };
   const auto [fitted, is_fitted] = decimate_and_fit(mesh, target, {}, push_all);
   EXPECT_FALSE(is_fitted);
   EXPECT_EQ(fitted.mesh.positions, plain.mesh.positions);
-  const auto cancel = [](Decimation& decimation, const Held&) {
+  const auto cancel = [](Decimation& decimation) {
     decimation.mesh.positions[0].setZero();
     return false;
   };
@@ -91,7 +108,7 @@ TEST(Fit, IsTakenBackWhereTheErrorIsTooLargeWhateverIsHeld) {
 TEST(Fit, IsNotMadeOfARunThatIsCancelled) {
   DecimateOptions options;
   options.progress = [](const Progress&) { return false; };
-  const auto refuse = [](Decimation&, const Held&) -> bool { throw std::logic_error("a fit after cancelling"); };
+  const auto refuse = [](Decimation&) -> bool { throw std::logic_error("a fit after cancelling"); };
   const FittedDecimation cancelled = decimate_and_fit(sphere(3), DecimateTarget::faces(50), options, refuse);
   EXPECT_EQ(cancelled.decimation.result.stop, StopReason::cancelled);
   EXPECT_FALSE(cancelled.is_fitted);

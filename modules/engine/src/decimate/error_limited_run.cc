@@ -35,7 +35,7 @@ std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
 /// step left stays.
 /// \return true if a plain level was taken after the second step, as it has far fewer faces
 bool ErrorLimitedRun::contract_in_steps(const BlockPlan& plan) {
-  constexpr double bold_share = 0.3;
+  constexpr double bold_share = 0.35;
   constexpr int most_bold_tries = 3;
   std::future<std::unique_ptr<ErrorBounds>> bounds = begin_bounds();
   if (has_tolerances()) error_bounds_ = bounds.get();
@@ -137,7 +137,7 @@ void ErrorLimitedRun::contract_to_shares_of_limit(const std::vector<double>& sha
 }
 
 /// Of vertices that the second step began with, where they became one of those that are left, or of their neighbours:
-/// from three tenths to one, and then to nothing. If none is named, of all.
+/// from the first to a tenth, and then to nothing. If none is named, of all.
 void ErrorLimitedRun::lower_shares_at(const std::vector<Index>& vertices, std::vector<double>& shares) const {
   constexpr double bold = 0.2;
   constexpr double less_bold = 0.1;

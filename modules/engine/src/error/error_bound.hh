@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "error/kept_proofs.hh"
 #include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/proof/target_surface.hh"
@@ -69,11 +70,16 @@ class ErrorBound {
   }
 
   /// Tries to prove that a surface keeps the bound. \param limit in place of that of the bound
-  Violations check(const CheckedSurface& checked, double limit) { return check(checked, limit, Search::all); }
+  Violations check(const CheckedSurface& checked, double limit) { return check(checked, {limit, Search::all}); }
+  /// The same of the surface checked last, after some of its vertices have moved: looks at what they change.
+  /// \param is_changed a vertex of the surface, 1 if it has moved
+  Violations check_again(const CheckedSurface& checked, std::span<const std::uint8_t> is_changed);
   /// Whether that is proven: takes less time where it isn't.
-  bool is_kept_by(const CheckedSurface& checked) { return check(checked, limit_, Search::first).empty(); }
+  bool is_kept_by(const CheckedSurface& checked) { return check(checked, {limit_, Search::first}).empty(); }
   /// Whether a point is far: one of the input from the surface, or a corner or the middle of an edge from the input.
   bool has_far_point(const CheckedSurface& checked);
+  /// Vertices of a surface that are farther from the input than a share of the limit. \return a vertex, 1 if it is far
+  std::vector<std::uint8_t> far_vertices(const CheckedSurface& checked, double share) const;
   /// Of the surface checked last, each point once.
   const std::vector<Support>& supports() const { return supports_; }
 
@@ -81,14 +87,30 @@ class ErrorBound {
   /// Which violations are looked for: all, or any.
   enum class Search { all, first };
 
-  Violations check(const CheckedSurface& checked, double limit, Search search);
-  std::vector<Index> find_supports(const TargetSurface& surface, std::span<const Index> vertex_map, double limit,
-                                   Search search, Violations& violations);
+  /// What is sought in a check.
+  struct Question {
+    double limit;
+    Search search;
+    std::vector<std::uint8_t> is_changed{};  ///< a face of the surface, 0 if it is as it was checked last; or empty
+
+    bool is_changed_at(Index face) const { return is_changed.empty() || is_changed[face] != 0; }
+  };
+  /// What was found of the surface checked last.
+  struct Found {
+    std::vector<Index> supports;           ///< a face, per point; `invalid_index` for vertices that are in no face
+    std::vector<std::uint8_t> is_far;      ///< per point
+    std::vector<std::uint8_t> is_proven;   ///< per face of the surface
+    std::vector<KeptProofs> input_proofs;  ///< per block of the input's faces: of faces that have several supports
+  };
+
+  Violations check(const CheckedSurface& checked, const Question& question);
+  void find_supports(const TargetSurface& target, std::span<const Index> vertex_map, const Question& question,
+                     Violations& violations);
   bool has_far_point_on(const TargetSurface& surface) const;
-  void check_input(const TargetSurface& surface, std::span<const Index> supports, double limit, Search search,
-                   Violations& violations) const;
-  void check_surface(const TargetSurface& surface, std::span<const std::uint8_t> is_proven, double limit, Search search,
-                     Violations& violations) const;
+  void check_input(const TargetSurface& target, const Question& question, Violations& violations);
+  void check_surface(const TargetSurface& target, std::span<const std::uint8_t> is_proven, const Question& question,
+                     Violations& violations);
+  void list_supports(const TargetSurface& target, double limit, Violations& violations);
 
   double limit_of(Index face, double limit) const { return limits_.empty() ? limit : std::min(limit, limits_[face]); }
 
@@ -101,6 +123,7 @@ class ErrorBound {
   detail::IndexLists<Index> neighbours_;
   std::vector<Index> faces_at_;  ///< a face at each vertex of the input
   std::vector<Support> supports_;
+  Found found_;
 };
 
 }  // namespace whittle

@@ -41,6 +41,13 @@ ErrorBound::Violations ErrorBounds::check(const CheckedSurface& surface) {
   return violations;
 }
 
+ErrorBound::Violations ErrorBounds::check_again(const CheckedSurface& surface,
+                                                std::span<const std::uint8_t> is_changed) {
+  ErrorBound::Violations violations = surface_->check_again(surface, is_changed);
+  violations.add(check_borders(surface));
+  return violations;
+}
+
 bool ErrorBounds::are_kept_by(const CheckedSurface& surface) {
   return check_borders(surface).empty() && surface_->is_kept_by(surface);
 }

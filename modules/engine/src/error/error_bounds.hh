@@ -21,6 +21,9 @@ class ErrorBounds {
 
   /// Tries to prove that a surface keeps all bounds.
   ErrorBound::Violations check(const CheckedSurface& surface);
+  /// The same of the surface checked last, after some of its vertices have moved: takes less time.
+  /// \param is_changed a vertex of the surface, 1 if it has moved
+  ErrorBound::Violations check_again(const CheckedSurface& surface, std::span<const std::uint8_t> is_changed);
   ErrorBound::Violations check_borders(const CheckedSurface& surface);
   /// Whether that is proven: takes less time where it isn't.
   bool are_kept_by(const CheckedSurface& surface);

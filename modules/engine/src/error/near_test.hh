@@ -9,10 +9,13 @@
 
 namespace whittle {
 
-/// Tells of many points whether they are near to one face. Right up to rounding.
+/// Tells of points whether they are near to one face. Right up to rounding.
 class NearTest {
  public:
-  /// \param corners two may be one
+  /// For few points.
+  static NearTest of_corners(const Corners& corners) { return NearTest(corners, Unprepared{}); }
+
+  /// For many points. \param corners two may be one
   explicit NearTest(const Corners& corners) : corners_(corners) {
     const auto& [a, b, c] = corners;
     const double longest_sq = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
@@ -34,11 +37,26 @@ class NearTest {
     return is_over_face || distance_to(corners_, point) <= reach;
   }
 
+  /// The last point of a segment that is over the face, if its first one is; else the first one. \pre prepared for many
+  Vec3 last_over(const Vec3& first, const Vec3& last) const {
+    double way = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double inside_at_first = inward_[i].dot(first - corners_[0]) - least_[i];
+      const double inside_at_last = inward_[i].dot(last - corners_[0]) - least_[i];
+      if (!(inside_at_first >= 0)) return first;
+      if (inside_at_last < 0) way = std::min(way, inside_at_first / (inside_at_first - inside_at_last));
+    }
+    return first + way * (last - first);
+  }
+
  private:
+  struct Unprepared {};
+  NearTest(const Corners& corners, Unprepared) : corners_(corners) {}
+
   static constexpr double thin = 1e-6;  ///< height over length below which the normal is too inexact
 
   Corners corners_;
-  // Of a thin face there is no normal, and nothing is over it.
+  // Of a thin face, or one for few points, there is no normal, and nothing is over it.
   Vec3 normal_ = Vec3::Zero();
   std::array<Vec3, 3> inward_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};        ///< per side, in the plane
   std::array<double, 3> least_{std::numeric_limits<double>::infinity(), 0, 0};  ///< along these from the first corner

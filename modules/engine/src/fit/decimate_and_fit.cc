@@ -45,7 +45,7 @@ FittedDecimation decimate_and_fit(const IndexedMesh& mesh, const DecimateTarget&
   if (!fit || decimation.result.stop == StopReason::cancelled) return result;
   result.is_fitted = fit_and_note(decimation, [&] {
     if (bounds) return fit_within(*bounds, mesh, fit, decimation);
-    fit(decimation, {});
+    fit(decimation);
     return true;
   });
   return result;

@@ -176,12 +176,15 @@ bool ErrorGuard::are_edges_near(ErrorLook& look, Index point, Index support) con
 bool ErrorGuard::is_edge_near(ErrorLook& look, Index point, Index support, Index other) const {
   const Place& place = places_[other];
   const bool is_affected = place.look == look.number_;
-  const NearTest of_other =
-      is_affected ? look.faces_[look.after_[place.place]].near : NearTest(corners(supports_.support(other)));
+  const NearTest of_other = is_affected ? look.faces_[look.after_[place.place]].near
+                                        : NearTest::of_corners(corners(supports_.support(other)));
   // The faces at the edge may be farther than either end: so the greater limit will do.
   const double limit = std::max(bound_.limit_at(point), bound_.limit_at(other));
-  const std::span<const Vec3> points = bound_.points();
-  return is_near(look, {{points[point], points[other]}, {look.faces_[support].near, of_other}, reach(limit)}, 0);
+  const NearTest& of_point = look.faces_[support].near;
+  const std::array<Vec3, 2> ends{bound_.points()[point], bound_.points()[other]};
+  const Vec3 crossing = of_point.last_over(ends[0], ends[1]);  // mostly over an edge of both faces
+  if (of_other.is_within(crossing, reach(limit)) && of_point.is_within(crossing, reach(limit))) return true;
+  return is_near(look, {ends, {of_point, of_other}, reach(limit)}, 0);
 }
 
 /// The distance from a face is convex along the segment. So all of it is near if one point is near to both faces.

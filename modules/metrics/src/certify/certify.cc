@@ -172,53 +172,70 @@ Certification certify_one_way(const OneWay& one_way, double distance, const whit
   return result;
 }
 
-/// The distance of the farthest vertex, and the first face that has it.
+/// What is nearest to each vertex of the faces. `invalid_index` for others.
+std::vector<NearFace> nearest_to_vertices(const OneWay& one_way, const whittle::detail::Workers& workers) {
+  std::vector<std::uint8_t> is_corner(one_way.mesh.positions.size());
+  for (const Triangle& face : one_way.mesh.faces) {
+    for (const Index v : face) is_corner[v] = 1;
+  }
+  std::vector<NearFace> nearest(is_corner.size());
+  const std::size_t size = faces_per_block(nearest.size());
+  for_each_block((nearest.size() + size - 1) / size, workers, [&](std::size_t block) {
+    Index hint = invalid_index;
+    const std::size_t end = std::min(nearest.size(), (block + 1) * size);
+    for (std::size_t v = block * size; v < end; ++v) {
+      if (is_corner[v] == 0) continue;
+      nearest[v] = one_way.target.nearest(one_way.frame.to_frame(one_way.mesh.positions[v]), hint);
+      hint = nearest[v].face;
+    }
+  });
+  return nearest;
+}
+
+/// The farthest point that was found, and a bound for all points.
+struct FoundFarthest {
+  FarthestPoint farthest;
+  Index face = invalid_index;
+  double at_most = 0;
+
+  void take(Index its_face, const FarthestPoint& point) {
+    if (point.distance > farthest.distance) farthest = point, face = its_face;
+  }
+  void add(const FoundFarthest& other) {
+    take(other.face, other.farthest);
+    at_most = std::max(at_most, other.at_most);
+  }
+};
+
+/// The first face that has the farthest point counts.
 /// \param limit as that of the options, in the frame
 LargestDistance largest_one_way(const OneWay& one_way, double accuracy, double limit,
                                 const whittle::detail::Workers& workers) {
-  struct Found {
-    FarthestPoint farthest;
-    Index face = invalid_index;
-    double at_most = 0;
-  };
-  std::vector<Found> of_blocks(one_way.n_blocks());
-  std::vector<double> at_corners(one_way.mesh.faces.size());
-  const auto take = [](Found& found, Index face, const FarthestPoint& farthest) {
-    if (farthest.distance > found.farthest.distance) found = {farthest, face, found.at_most};
-  };
-  const auto farthest_of_all = [&] {
-    Found all;
-    for (const Found& found : of_blocks) {
-      take(all, found.face, found.farthest);
-      all.at_most = std::max(all.at_most, found.at_most);
+  const std::vector<NearFace> nearest = nearest_to_vertices(one_way, workers);
+  FoundFarthest all;
+  const std::vector<Triangle>& faces = one_way.mesh.faces;
+  std::vector<double> at_corners(faces.size());
+  for (Index f = 0; f < faces.size(); ++f) {
+    for (const Index v : faces[f]) {
+      at_corners[f] = std::max(at_corners[f], nearest[v].distance);
+      all.take(f, {one_way.frame.to_frame(one_way.mesh.positions[v]), nearest[v].distance});
     }
-    return all;
-  };
-  for_each_block(of_blocks.size(), workers, [&](std::size_t block) {
-    Index hint = invalid_index;
-    one_way.for_each_face_of(block, [&](Index face) {
-      for (const Vec3& corner : one_way.corners(face)) {
-        const NearFace near = one_way.target.nearest(corner, hint);
-        hint = near.face;
-        at_corners[face] = std::max(at_corners[face], near.distance);
-        take(of_blocks[block], face, {corner, near.distance});
-      }
-      return true;
-    });
-  });
-  const double at_vertices = farthest_of_all().farthest.distance;
+  }
+  const double at_vertices = all.farthest.distance;
+  std::vector<FoundFarthest> of_blocks(one_way.n_blocks());
   for_each_block(of_blocks.size(), workers, [&](std::size_t block) {
     Prover prover(one_way.target);
+    FoundFarthest& found = of_blocks[block];
     one_way.for_each_face_of(block, [&](Index face) {
       FarthestPoint farthest;
-      const double at_most =
-          prover.find_farthest(one_way.corners(face), at_vertices, accuracy, limit, invalid_index, farthest);
-      of_blocks[block].at_most = std::max(of_blocks[block].at_most, at_most);
-      take(of_blocks[block], face, farthest);
+      const Index hint = nearest[faces[face][0]].face;
+      found.at_most = std::max(
+          found.at_most, prover.find_farthest(one_way.corners(face), at_vertices, accuracy, limit, hint, farthest));
+      found.take(face, farthest);
       return true;
     });
   });
-  const Found all = farthest_of_all();
+  for (const FoundFarthest& found : of_blocks) all.add(found);
   const FarPoint where = one_way.far_point(all.face, all.farthest);
   const auto n_far = std::count_if(at_corners.begin(), at_corners.end(),
                                    [&](double distance) { return distance > 0.9 * all.farthest.distance; });

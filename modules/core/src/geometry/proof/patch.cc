@@ -97,6 +97,7 @@ bool Patch::covers(double height) {
   height -= margin_;
   known_.clear();
   over_.clear();
+  faces_over_.clear();
   faces_.assign(1, seed_);
   known_.insert(seed_);
   for (std::size_t i = 0; i < faces_.size(); ++i) {
@@ -105,6 +106,7 @@ bool Patch::covers(double height) {
     if ((seen_[face[0]].outside & seen_[face[1]].outside & seen_[face[2]].outside) != 0) continue;
     if (!is_within(f, face, height)) return false;
     over_.push_back(face);
+    faces_over_.push_back(f);
     for (std::size_t slot = 0; slot < 3; ++slot) {
       if (is_apart(seen_[face[slot]], seen_[face[(slot + 1) % 3]])) continue;
       const Index other = surface_.beyond[f][slot];

@@ -49,6 +49,7 @@ double Prover::find_farthest(const Corners& triangle, double from, double accura
 void Prover::begin(const Corners& triangle, Index hint, double distance) {
   surface_ = target_.faces();
   steps_.clear();
+  faces_.clear();
   if (hint == invalid_index) {
     const bool is_last_near = last_ != invalid_index &&
                               distance_to(surface_.corners(last_), triangle[0]) + surface_.offset(last_) <= distance;
@@ -101,6 +102,7 @@ bool Prover::is_proven(const Piece& piece, double distance) {
   }
   if (!patch_.covers(distance)) return false;
   steps_.push_back({ProofStep::Kind::patch, last_});
+  faces_.insert(faces_.end(), patch_.faces_over().begin(), patch_.faces_over().end());
   return true;
 }
 
@@ -111,6 +113,7 @@ bool Prover::is_near(const Corners& corners, Index face, double distance) {
     return false;
   }
   steps_.push_back({ProofStep::Kind::face, face});
+  faces_.push_back(face);
   return true;
 }
 

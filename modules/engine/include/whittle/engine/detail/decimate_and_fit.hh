@@ -9,9 +9,8 @@
 namespace whittle::detail {
 
 /// Fits a decimation to its input: may move vertices of the mesh, and flip edges. No more may change.
-/// \param held a vertex of the mesh, 1 if it is to stay where it is; or empty
 /// \return false if the run is cancelled
-using Fit = std::function<bool(Decimation& decimation, const std::vector<std::uint8_t>& held)>;
+using Fit = std::function<bool(Decimation& decimation)>;
 
 struct FittedDecimation {
   Decimation decimation;
@@ -19,8 +18,8 @@ struct FittedDecimation {
 };
 
 /// `decimate`, and a fit after the last contraction; none if the run was cancelled. With a limit of the error the mesh
-/// is proven to keep it after the fit, too: the fit is made again with vertices held where it doesn't. If that doesn't
-/// help, the mesh stays as it was. What a fit changes is in the last of `RunSteps::pass_ends`.
+/// is proven to keep it after the fit, too: vertices go as far towards where the fit puts them as the proof allows.
+/// What a fit changes is in the last of `RunSteps::pass_ends`.
 ///
 /// It leaves to the caller what comes after the fit (`break_normals`, and to keep texture coordinates in their charts)
 /// and two-sided sheets (without_backs.hh).

@@ -54,6 +54,8 @@ class Patch {
   /// away. By the degree modulo 2: if no open edge of the faces lies over the triangle, and an odd number of faces lies
   /// over one of its points, an odd number lies over each.
   bool covers(double height);
+  /// The faces over the triangle, once it is covered: the proof is of these, and of no others.
+  const std::vector<Index>& faces_over() const { return faces_over_; }
 
   /// A face too high over the triangle, so that the faces don't cover it.
   struct Obstacle {
@@ -120,8 +122,9 @@ class Patch {
   double margin_ = 0;
   std::array<Seen, 3> triangle_;  ///< without the margin
   std::array<Side, 3> sides_;
-  std::vector<Index> faces_;    ///< queue of faces to check
-  std::vector<SeenFace> over_;  ///< faces over the triangle, or nearly
+  std::vector<Index> faces_;       ///< queue of faces to check
+  std::vector<SeenFace> over_;     ///< faces over the triangle, or nearly
+  std::vector<Index> faces_over_;  ///< their numbers
   NumberSet known_;
   std::vector<SeenCorner> seen_;  ///< corners checked for this triangle
   std::vector<CacheSlot> cache_ = std::vector<CacheSlot>(cache_size);

@@ -38,6 +38,8 @@ class Prover {
 
   /// Steps of the last proof, depth first.
   const std::vector<ProofStep>& steps() const { return steps_; }
+  /// Faces of the target that the last proof is by, some of them several times. It holds as long as these do.
+  const std::vector<Index>& faces() const { return faces_; }
 
   /// Finds the farthest point of a triangle, if it is farther than `from`.
   /// \param most limit to prove for all points, unless a point is farther
@@ -76,6 +78,7 @@ class Prover {
   std::vector<NearFace> to_search_;  ///< scratch
   std::vector<Piece> pieces_;
   std::vector<ProofStep> steps_;
+  std::vector<Index> faces_;
 };
 
 }  // namespace whittle
