@@ -73,8 +73,8 @@ bool ErrorLimitedRun::has_plain_level_far_below(const BlockPlan& plan) {
   return !run_.is_cancelled() && plain_run_->is_proven_with_vertices(run_.n_vertices_left() / far);
 }
 
-/// Contracts as if there were no limit, as far as the result is proven to be near to the input, and from there what
-/// keeps near.
+/// Contracts from the second step on as if there were no limit, as far as the result is proven to be near to the input,
+/// and from there what keeps near.
 /// \return whether that leaves fewer faces. Else all is as it was
 bool ErrorLimitedRun::contract_from_plain_level(const BlockPlan& plan) {
   const StagedRun::State before = run_.state();

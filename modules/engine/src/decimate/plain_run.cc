@@ -8,16 +8,17 @@
 
 namespace whittle {
 
-PlainRun::PlainRun(StagedRun& run, ErrorBounds& bounds, const BlockPlan& plan) : run_(run), bounds_(bounds) {
-  const StagedRun::State before = run_.state();
+PlainRun::PlainRun(StagedRun& run, ErrorBounds& bounds, const BlockPlan& plan)
+    : run_(run), bounds_(bounds), start_(run.state()) {
   run_.keep_steps_of_all(true);
   contract(run_.target().or_faces(run_.target().n_faces().value_or(1)), plan);
   run_.keep_steps_of_all(false);
   if (run_.is_cancelled()) return;
   const auto& contractions = run_.report().steps.contractions;
-  contractions_.assign(contractions.begin(), contractions.end());
+  const auto n_before = static_cast<std::ptrdiff_t>(start_.report.steps.contractions.size());
+  contractions_.assign(contractions.begin() + n_before, contractions.end());
   n_vertices_left_ = run_.n_vertices_left();
-  run_.return_to(before);
+  run_.return_to(start_);
 }
 
 bool PlainRun::contract_to_coarsest_proven(std::size_t most_faces, const BlockPlan& plan) {
@@ -52,32 +53,55 @@ bool PlainRun::contract_to_coarsest_proven(std::size_t most_faces, const BlockPl
   return true;
 }
 
-/// Of the input.
+/// From the start.
 void PlainRun::contract(const DecimateTarget& stop, const BlockPlan& plan) {
-  run_.begin_anew(run_.state().report.progress);
+  const double progress = run_.report().progress;
+  run_.return_to(start_);
+  run_.report().progress = progress;
   run_.contract_in_blocks(stop, plan);
   run_.contract(stop, false);
 }
 
-PlainRun::Level PlainRun::level_after(std::size_t n_contractions) const {
+/// Over the input's vertices, as contractions are told.
+PlainRun::Level PlainRun::start_level() const {
   const IndexedMesh& input = run_.mesh();
+  const WorkingSurface& start = start_.surface;
   Level level;
   level.mesh.positions = input.positions;
   level.vertex_map.resize(input.positions.size());
   std::iota(level.vertex_map.begin(), level.vertex_map.end(), Index{0});
+  if (start.is_input()) {
+    level.mesh.faces = input.faces;
+    return level;
+  }
+  for (Index v = 0; v < start.positions.size(); ++v) {
+    level.mesh.positions[start.origins[v]] = run_.frame().to_model(start.positions[v]);
+  }
+  for (Index& v : level.vertex_map) {
+    v = start.vertex_map[v] == invalid_index ? invalid_index : start.origins[start.vertex_map[v]];
+  }
+  for (const Triangle& face : start.faces) level.mesh.faces.push_back(mapped(face, start.origins));
+  return level;
+}
+
+PlainRun::Level PlainRun::level_after(std::size_t n_contractions) const {
+  Level level = start_level();
+  std::vector<Index> become(level.vertex_map.size());
+  std::iota(become.begin(), become.end(), Index{0});
   for (std::size_t i = 0; i < n_contractions; ++i) {
-    level.vertex_map[contractions_[i].removed] = contractions_[i].survivor;
+    become[contractions_[i].removed] = contractions_[i].survivor;
     level.mesh.positions[contractions_[i].survivor] = contractions_[i].position;
   }
   // What a vertex was merged into may have been merged later: those are followed from the last one on.
   for (std::size_t i = n_contractions; i-- > 0;) {
-    Index& become = level.vertex_map[contractions_[i].removed];
-    become = level.vertex_map[become];
+    Index& its = become[contractions_[i].removed];
+    its = become[its];
   }
-  for (const Triangle& face : input.faces) {
-    const Triangle left{level.vertex_map[face[0]], level.vertex_map[face[1]], level.vertex_map[face[2]]};
-    if (has_three_corners(left)) level.mesh.faces.push_back(left);
+  for (Index& v : level.vertex_map) {
+    if (v != invalid_index) v = become[v];
   }
+  for (Triangle& face : level.mesh.faces) face = mapped(face, become);
+  std::erase_if(level.mesh.faces, [](const Triangle& face) { return !has_three_corners(face); });
   return level;
 }
 

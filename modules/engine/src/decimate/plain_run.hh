@@ -7,11 +7,11 @@
 
 namespace whittle {
 
-/// A run without a limit of the error, down to the last face, and its levels: the first k of its contractions make one.
-/// Of each it can be asked whether it is proven to be near to the input.
+/// A run that goes on without a limit of the error, down to the last face, and its levels: the first k of its
+/// contractions make one. Of each it can be asked whether it is proven to be near to the input.
 class PlainRun {
  public:
-  /// Runs. Afterwards the run is as it was. Both must outlive it.
+  /// Runs on. Afterwards the run is as it was. Both must outlive it.
   /// \param run with a limit of the error
   PlainRun(StagedRun& run, ErrorBounds& bounds, const BlockPlan& plan);
 
@@ -28,12 +28,14 @@ class PlainRun {
     IndexedMesh mesh;               ///< over the input's vertices
     std::vector<Index> vertex_map;  ///< the input's vertices → those that they have become
   };
+  Level start_level() const;
   Level level_after(std::size_t n_contractions) const;
   CheckedSurface checked(const Level& level) const;
   void contract(const DecimateTarget& stop, const BlockPlan& plan);
 
   StagedRun& run_;
   ErrorBounds& bounds_;
+  StagedRun::State start_;
   std::vector<Contraction> contractions_;
   std::size_t n_vertices_left_ = 0;  ///< at the end
   std::size_t proven_ = 0;           ///< contractions of a level that was asked for and is proven; 0 for none
