@@ -5,10 +5,9 @@
 namespace whittle {
 namespace {
 
-/// Memoryless quadrics do, unless a guard has to look at more than the faces of a pair.
+/// Memoryless quadrics do.
 bool goes_in_rounds(const StageContext& context) {
-  const bool is_memoryless = context.options.effective_cost() == Cost::memoryless;
-  return is_memoryless && context.role == Role::alone && !context.limits.displacement;
+  return context.options.effective_cost() == Cost::memoryless && context.role == Role::alone;
 }
 
 }  // namespace
@@ -23,6 +22,10 @@ Block::Block(const WorkingSurface& surface, const Partition& partition, std::siz
     for (const Index v : vertices_) locked_.push_back(context.locked[v]);
   }
   context.locked = locked_;
+  if (!context.limits.displacements.empty()) {
+    for (const Index v : vertices_) displacements_.push_back(context.limits.displacements[v]);
+  }
+  context.limits.displacements = displacements_;
   context.frozen = frozen_;
   gather_refusals(surface.refusals);
   if (!context.areas.of.empty()) {

@@ -62,12 +62,13 @@ class Block {
   CostState state_here(const WorkingSurface& surface) const;
   SurfaceAttributes attributes_here(const WorkingSurface& surface) const;
 
-  std::span<const Index> own_;        ///< vertices of the surface
-  std::span<const Index> own_faces_;  ///< of the surface
-  std::vector<Index> vertices_;       ///< of the surface: its own and those of other blocks at its faces, ascending
-  WorkingSurface part_;               ///< by vertices of the block, and by those of the surface in the end
-  std::vector<std::uint8_t> frozen_;  ///< per vertex of the block, whether another block has a face there
-  std::vector<std::uint8_t> locked_;  ///< per vertex of the block, or empty
+  std::span<const Index> own_;         ///< vertices of the surface
+  std::span<const Index> own_faces_;   ///< of the surface
+  std::vector<Index> vertices_;        ///< of the surface: its own and those of other blocks at its faces, ascending
+  WorkingSurface part_;                ///< by vertices of the block, and by those of the surface in the end
+  std::vector<std::uint8_t> frozen_;   ///< per vertex of the block, whether another block has a face there
+  std::vector<std::uint8_t> locked_;   ///< per vertex of the block, or empty
+  std::vector<double> displacements_;  ///< per vertex of the block, or empty
   std::size_t n_inner_ = 0;
   std::size_t n_frozen_ = 0;
   // One of the two

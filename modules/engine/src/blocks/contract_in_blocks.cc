@@ -67,7 +67,8 @@ std::string_view run_levels(const LevelContext& context, const BlockPlan& plan, 
   }
   const std::optional<double> cost = run_level(context, level, goal, surface, report);
   if (!cost) return "much of it isn't manifold";
-  if (surface.faces.size() < plan.fewest_faces_again || context.progress.is_cancelled()) return {};
+  const bool is_once = context.stage.limits.displacement || surface.faces.size() < plan.fewest_faces_again;
+  if (is_once || context.progress.is_cancelled()) return {};
   level.first_share = 0.3;
   run_level(context, level, {.cost = cost}, surface, report);
   return {};
@@ -96,9 +97,8 @@ std::string_view run_exact_levels(const LevelContext& context, const BlockPlan& 
 
 std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target,
                                    const DecimateOptions& options, const DecimationHost* host, const BlockPlan& plan,
-                                   bool is_told, const StageLimits& limits) {
+                                   bool is_told) {
   const bool is_exact = is_exact_in_blocks(options);
-  const bool has_rounds = !is_exact && !limits.displacement;
   if (mesh.faces.size() < (is_exact ? plan.fewest_faces_in_exact_order : plan.fewest_faces)) return "the mesh is small";
   if (target.error_limit()) return "the error is limited";
   if (!target.n_faces() && !target.n_vertices()) return "there is no count to reach";
@@ -115,8 +115,8 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
     if (options.effective_order() != Order::approximate) return "the order is exact";
     if (is_told && mesh.faces.size() < plan.fewest_faces_in_detail) return "contractions are told in order";
   }
-  if (!has_rounds && options.quadric.placement != Placement::optimal) return "vertices stay where they are";
-  if (!has_rounds && options.valence_weight > 0) return "the cost has a term for valences";
+  if (is_exact && options.quadric.placement != Placement::optimal) return "vertices stay where they are";
+  if (is_exact && options.valence_weight > 0) return "the cost has a term for valences";
   if (options.pairs.threshold > 0) return "threshold pairs join what lies apart";
   if (options.topology != Topology::keep) return "the topology may change";
   if (options.feature_angle_deg.value_or(180) < 180 || !options.feature_edges.empty()) return "feature lines are kept";

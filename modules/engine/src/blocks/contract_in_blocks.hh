@@ -34,10 +34,9 @@ struct BlockPlan {
 /// order, and guards that look at the neighbours of a pair alone. Small meshes, and targets near the start, gain
 /// nothing.
 /// \param is_told whether contractions are
-/// \param limits of the stage; with one of the displacement blocks have queues, not rounds
 std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target,
                                    const DecimateOptions& options, const DecimationHost* host, const BlockPlan& plan,
-                                   bool is_told, const StageLimits& limits = {});
+                                   bool is_told);
 
 /// Whether blocks keep the exact order.
 inline bool is_exact_in_blocks(const DecimateOptions& options) {

@@ -35,7 +35,7 @@ std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
 /// step left stays.
 /// \return true if a plain level was taken after the second step, as it has far fewer faces
 bool ErrorLimitedRun::contract_in_steps(const BlockPlan& plan) {
-  constexpr double bold_share = 0.35;
+  constexpr double bold_share = 0.3;
   constexpr int most_bold_tries = 3;
   std::future<std::unique_ptr<ErrorBounds>> bounds = begin_bounds();
   if (has_tolerances()) error_bounds_ = bounds.get();
@@ -46,7 +46,7 @@ bool ErrorLimitedRun::contract_in_steps(const BlockPlan& plan) {
   std::optional<StagedRun::State> hardly_moved;  // what the second step left, the first that may be proven
   for (int i = 0; i < most_bold_tries; ++i) {
     run_.return_to(start);
-    contract_to_shares_of_limit(shares);
+    contract_to_shares_of_limit(shares, plan);
     if (!error_bounds_) {
       error_bounds_ = bounds.get();
       make_coarse_bound(start.surface);
@@ -59,7 +59,7 @@ bool ErrorLimitedRun::contract_in_steps(const BlockPlan& plan) {
     }
     lower_shares_at(violations.vertices, shares);
   }
-  if (contract_guarded_from_input() || (hardly_moved && end_with(*hardly_moved))) return false;
+  if (contract_guarded_from_input(plan) || (hardly_moved && end_with(*hardly_moved))) return false;
   contract_nothing();
   return false;
 }
@@ -68,7 +68,7 @@ bool ErrorLimitedRun::contract_in_steps(const BlockPlan& plan) {
 /// many as the third one; of long and thin triangles nearly all, and then the third step takes long.
 bool ErrorLimitedRun::has_plain_level_far_below(const BlockPlan& plan) {
   constexpr std::size_t far = 4;
-  if (run_.is_cancelled() || run_.report().result.stop == StopReason::target) return false;
+  if (run_.is_cancelled() || is_target_reached()) return false;
   plain_run_.emplace(run_, *error_bounds_, plan);
   return !run_.is_cancelled() && plain_run_->is_proven_with_vertices(run_.n_vertices_left() / far);
 }
@@ -108,13 +108,13 @@ void ErrorLimitedRun::contract_to_coarse_copy(const BlockPlan& plan) {
   constexpr double share_of_limit = 0.02;
   if (run_.mesh().faces.size() < fewest_faces || has_tolerances()) return;
   const StageLimits limits{.displacement = share_of_limit * limit_};
-  run_.contract_in_blocks(least_left_in_blocks(), plan, limits);
-  run_.contract(target(), false, limits);
+  const bool is_in_blocks = run_.contract_in_blocks(least_left_in_blocks(), plan, limits).why_in_one_pass.empty();
+  if (!is_in_blocks && !run_.is_cancelled()) run_.contract(target(), false, limits);
 }
 
 /// What blocks that move the surface little leave at least.
 DecimateTarget ErrorLimitedRun::least_left_in_blocks() const {
-  constexpr std::uint64_t least_share = 20;  // a 20th
+  constexpr std::uint64_t least_share = 1000;  // a 1000th
   DecimateTarget left =
       DecimateTarget::faces(std::max(run_.mesh().faces.size() / least_share, target().n_faces().value_or(1)));
   if (target().n_vertices()) left = left.or_vertices(*target().n_vertices());
@@ -123,7 +123,7 @@ DecimateTarget ErrorLimitedRun::least_left_in_blocks() const {
 }
 
 /// \param shares of the limit of each vertex: what a contraction at it may move the surface by
-void ErrorLimitedRun::contract_to_shares_of_limit(const std::vector<double>& shares) {
+void ErrorLimitedRun::contract_to_shares_of_limit(const std::vector<double>& shares, const BlockPlan& plan) {
   std::vector<double> displacements;
   displacements.reserve(shares.size());
   for (Index v = 0; v < shares.size(); ++v) {
@@ -133,7 +133,7 @@ void ErrorLimitedRun::contract_to_shares_of_limit(const std::vector<double>& sha
   const double greatest = *std::max_element(displacements.begin(), displacements.end());
   const bool is_one = std::count(displacements.begin(), displacements.end(), greatest) == std::ssize(displacements);
   if (is_one) displacements.clear();
-  contract_what_moves_little({.displacement = greatest, .displacements = displacements});
+  contract_what_moves_little({.displacement = greatest, .displacements = displacements}, plan);
 }
 
 /// Of vertices that the second step began with, where they became one of those that are left, or of their neighbours:
@@ -151,11 +151,11 @@ void ErrorLimitedRun::lower_shares_at(const std::vector<Index>& vertices, std::v
 }
 
 /// Without a bold step, and without a coarse copy.
-bool ErrorLimitedRun::contract_guarded_from_input() {
+bool ErrorLimitedRun::contract_guarded_from_input(const BlockPlan& plan) {
   run_.begin_anew(0);
   start_origins_.clear();
   coarse_bound_.reset();
-  contract_what_moves_little({.displacement = 0});
+  contract_what_moves_little({.displacement = 0}, plan);
   return find_violations_before_guarding().empty() && contract_guarded();
 }
 
@@ -175,8 +175,7 @@ void ErrorLimitedRun::contract_nothing() {
 
 void ErrorLimitedRun::contract_no_more() {
   run_.contract(DecimateTarget::faces(run_.n_faces_left()), true);
-  const bool is_reached = target().is_reached_at(run_.n_faces_left(), run_.n_vertices_left());
-  run_.report().result.stop = is_reached ? StopReason::target : StopReason::error;
+  run_.report().result.stop = is_target_reached() ? StopReason::target : StopReason::error;
 }
 
 /// Vertices that the second step began with → those that are left.
@@ -189,8 +188,9 @@ std::vector<Index> ErrorLimitedRun::map_from_start() const {
 }
 
 /// \pre the limits are of displacement
-void ErrorLimitedRun::contract_what_moves_little(const StageLimits& limits) {
+void ErrorLimitedRun::contract_what_moves_little(const StageLimits& limits, const BlockPlan& plan) {
   if (run_.is_cancelled()) return;
+  run_.contract_in_blocks(least_left_in_blocks(), plan, limits);
   run_.contract(target(), false, limits);
 }
 

@@ -24,19 +24,20 @@ class ErrorLimitedRun {
   const DecimateTarget& target() const { return run_.target(); }
   /// \pre something was contracted
   const WorkingSurface& left() const { return run_.surface(); }
+  bool is_target_reached() const { return target().is_reached_at(run_.n_faces_left(), run_.n_vertices_left()); }
   bool has_tolerances() const { return !run_.options().tolerances.empty(); }
   std::future<std::unique_ptr<ErrorBounds>> begin_bounds();
   void contract_to_coarse_copy(const BlockPlan& plan);
   DecimateTarget least_left_in_blocks() const;
-  void contract_to_shares_of_limit(const std::vector<double>& shares);
+  void contract_to_shares_of_limit(const std::vector<double>& shares, const BlockPlan& plan);
   void lower_shares_at(const std::vector<Index>& vertices, std::vector<double>& shares) const;
-  void contract_what_moves_little(const StageLimits& limits);
+  void contract_what_moves_little(const StageLimits& limits, const BlockPlan& plan);
   std::vector<Index> map_from_start() const;
   void make_coarse_bound(const WorkingSurface& start);
   ErrorBound& guarding_bound() { return coarse_bound_ ? *coarse_bound_ : error_bounds_->surface(); }
   ErrorBound::Violations find_violations_before_guarding();
   bool contract_guarded();
-  bool contract_guarded_from_input();
+  bool contract_guarded_from_input(const BlockPlan& plan);
   bool end_with(const StagedRun::State& state);
   void contract_nothing();
   bool contract_in_steps(const BlockPlan& plan);

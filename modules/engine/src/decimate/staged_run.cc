@@ -63,7 +63,7 @@ DecimateResult StagedRun::contract_in_blocks(const DecimateTarget& target, const
                                              const StageLimits& limits) {
   const double begin = state_.report.progress;
   StageReport report{.progress = begin};
-  report.result.why_in_one_pass = why_not_in_blocks(mesh_, target, options_, host_, plan, is_told(), limits);
+  report.result.why_in_one_pass = why_not_in_blocks(mesh_, target, options_, host_, plan, is_told());
   if (report.result.why_in_one_pass.empty()) {
     DecimateOptions options = options_;
     const double end = begin + (1 - begin) * way_to(target);

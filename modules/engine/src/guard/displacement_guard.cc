@@ -10,10 +10,6 @@
 namespace whittle {
 namespace {
 
-/// An edge of length l between faces that turn by α may come to lie l sin α from where the surface was, if it crosses
-/// a crease. This share of it counts.
-constexpr double share_of_turn = 0.2;
-
 double distance_to_all(const std::vector<std::array<Vec3, 3>>& faces, const Vec3& point) {
   double least = std::numeric_limits<double>::infinity();
   for (const std::array<Vec3, 3>& face : faces) least = std::min(least, distance_to(face, point));
@@ -59,44 +55,17 @@ bool DisplacementGuard::refuses_at(ContractionProfile& profile, const Vec3& posi
   return has_border && moves_border(profile, position);
 }
 
-/// Whether an end of the pair that lies on the border comes to lie off it, or the merged vertex off the border before.
 bool DisplacementGuard::moves_border(const ContractionProfile& profile, const Vec3& position) {
-  const auto& [id, a, b] = profile.pair;
-  before_.clear();
-  after_.clear();
-  bool is_far = false;
-  const auto list_faces = [this](const StarFaces& faces) {
-    for (std::size_t i = 0; i < faces.size(); ++i) ends_.insert(ends_.end(), {faces[i].x, faces[i].y});
-  };
-  ends_.clear();
-  list_faces(profile.first);
-  list_faces(profile.second);
-  list_border_edges(position, after_);
-  for (const auto& [faces, end, other] : {std::tuple(profile.first, a, b), std::tuple(profile.second, b, a)}) {
-    const std::size_t n_before = before_.size();
-    ends_.clear();
-    list_faces(faces);
-    for (const ContractionProfile::Common& opposite : profile.opposites) {
-      ends_.insert(ends_.end(), {opposite.vertex, other});
-    }
-    list_border_edges(complex_.position(end), before_);
-    if (before_.size() == n_before) continue;
-    const double distance = distance_to_all(after_, complex_.position(end));
-    is_far |= distance * distance > limit_sq_;
+  const std::array<const StarFaces*, 2> stars{&profile.first, &profile.second};
+  for (std::size_t end = 0; end < 2; ++end) {
+    others_[end].clear();
+    for (std::size_t i = 0; i < stars[end]->size(); ++i) others_[end].push_back((*stars[end])[i]);
   }
-  if (after_.empty()) return is_far;
-  const double distance = distance_to_all(before_, position);
-  return is_far || distance * distance > limit_sq_;
-}
-
-/// Adds an edge to each vertex that is named once in `ends_`: it has one face. An edge is a triangle of which two
-/// corners are one.
-void DisplacementGuard::list_border_edges(const Vec3& from, std::vector<std::array<Vec3, 3>>& edges) {
-  for (const Index v : ends_) {
-    if (std::count(ends_.begin(), ends_.end(), v) != 1) continue;
-    const Vec3& to = complex_.position(v);
-    edges.push_back({from, to, to});
-  }
+  opposites_.clear();
+  for (const ContractionProfile::Common& opposite : profile.opposites) opposites_.push_back(opposite.vertex);
+  return border_motion_.exceeds(
+      {profile.pair.a, profile.pair.b}, {{others_[0], others_[1]}, opposites_},
+      [this](Index v) { return complex_.position(v); }, position, limit_sq_);
 }
 
 DisplacementGuard::Motion DisplacementGuard::motion(ContractionProfile& profile, const Vec3& position) {

@@ -4,9 +4,14 @@
 #include <vector>
 
 #include "complex/triangle_complex.hh"
+#include "guard/border_motion.hh"
 #include "guard/guard.hh"
 
 namespace whittle {
+
+/// An edge of length l between faces that turn by α may come to lie l sin α from where the surface was, if it crosses
+/// a crease. This share of it counts as a displacement.
+inline constexpr double share_of_turn = 0.2;
 
 /// Refuses what may move the surface, or its open border, farther than a limit from where it is now. An estimate, which
 /// takes little time.
@@ -31,14 +36,15 @@ class DisplacementGuard final : public Guard {
 
   Motion motion(ContractionProfile& profile, const Vec3& position);
   bool moves_border(const ContractionProfile& profile, const Vec3& position);
-  void list_border_edges(const Vec3& from, std::vector<std::array<Vec3, 3>>& edges);
 
   const TriangleComplex& complex_;
   double limit_sq_;                          ///< of the contraction looked at last
   std::vector<double> limits_;               ///< per vertex; empty if all have one
   std::vector<std::array<Vec3, 3>> before_;  ///< scratch: faces
   std::vector<std::array<Vec3, 3>> after_;   ///< scratch
-  std::vector<Index> ends_;                  ///< scratch: the other corners of the faces at a vertex
+  BorderMotion border_motion_;
+  std::array<std::vector<LinkEdge>, 2> others_;  ///< scratch
+  std::vector<Index> opposites_;                 ///< scratch
 };
 
 }  // namespace whittle

@@ -6,6 +6,7 @@
 #include "complex/link_condition.hh"
 #include "rounds/lane_points.hh"
 #include "whittle/core/geometry/nearest_on_triangle.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle {
 
@@ -158,6 +159,23 @@ bool MergedStar::exceeds(const FlipLimit& limit, const Vec3& position) {
 double MergedStar::farthest_sq(const Vec3& from) const {
   const Kernels kernels{*this};
   return has_double4 ? kernels.farthest_sq_in_wide_registers(from) : kernels.farthest_sq(from);
+}
+
+double MergedStar::turn_sq(const Vec3& position) const {
+  double longest_sq = 0;
+  double least_cosine_sq = 1;
+  for (std::size_t i = 0; i < n_; ++i) {
+    const Vec3 from = mesh_.point(apex(i));
+    const Vec3 x = mesh_.point(others_[i].x);
+    const Vec3 y = mesh_.point(others_[i].y);
+    longest_sq = std::max({longest_sq, (x - position).squaredNorm(), (y - position).squaredNorm()});
+    const Vec3 before = reliable_normal(from, x, y);
+    const Vec3 after = reliable_normal(position, x, y);
+    const double lengths_sq = before.squaredNorm() * after.squaredNorm();
+    const double cosine = std::max(0.0, before.dot(after));
+    if (lengths_sq > 0) least_cosine_sq = std::min(least_cosine_sq, cosine * cosine / lengths_sq);
+  }
+  return longest_sq * (1 - least_cosine_sq);
 }
 
 double MergedStar::displacement_sq(const Vec3& position) const {

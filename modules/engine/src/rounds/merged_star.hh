@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "complex/link.hh"
+#include "guard/border_motion.hh"
 #include "rounds/round_mesh.hh"
 #include "whittle/core/vertex_pair.hh"
 #include "whittle/engine/formula/flip_limit.hh"
@@ -42,6 +43,11 @@ class MergedStar {
   bool exceeds(const FlipLimit& limit, const Vec3& position);
   /// About how far the faces move, as `MergedRing::displacement_sq` says.
   double displacement_sq(const Vec3& position) const;
+  /// The square of l sin α: the longest edge at the merged vertex, and the greatest turn of a face, if that is less
+  /// than a right angle; else of l.
+  double turn_sq(const Vec3& position) const;
+  /// The faces of the pair. \pre the condition holds
+  StarsOfPair stars() const { return {{others_at(0), others_at(1)}, opposites()}; }
 
  private:
   struct Kernels;

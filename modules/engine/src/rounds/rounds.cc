@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cost/make_cost.hh"
+#include "guard/displacement_guard.hh"
 #include "loop/contraction_log.hh"
 #include "loop/surface_of_faces.hh"
 #include "rounds/chunks.hh"
@@ -40,7 +41,8 @@ void Rounds::run(double cost) {
     const std::uint64_t n_before = n_contractions_;
     contract(limit);
     const auto n_done = static_cast<double>(n_contractions_ - n_before);
-    if (n_done == 0 || (!may_go_on && n_done < least_gain * n_left)) return;
+    const bool is_end_near = !may_go_on || displacement_;
+    if (n_done == 0 || (is_end_near && n_done < least_gain * n_left)) return;
   }
 }
 
@@ -219,6 +221,7 @@ void Rounds::take(const VertexPair& pair, float most) {
     position = ranked.position;
     if (const std::optional<Refusal> why_there = refusal_at(position)) return refuse(pair, *why_there);
   }
+  if (displacement_ && moves_far(pair, position)) return held_.add_refused(pair, now());
   if (forgets_planes && volume.is_thin()) {
     cost = std::max(cost, thin_cost(star_.displacement_sq(position), face_area_.now(n_faces_)));
     const float in_range = CostCounts::in_range(cost);
@@ -271,6 +274,21 @@ bool Rounds::makes_thin(const Vec3& position) const {
   return false;
 }
 
+double Rounds::displacement_limit(const VertexPair& pair) const {
+  return displacements_.empty() ? *displacement_ : std::min(displacements_[pair.a], displacements_[pair.b]);
+}
+
+/// Whether the pair that `star_` looks at moves the surface, or its border, too far (DisplacementGuard).
+bool Rounds::moves_far(const VertexPair& pair, const Vec3& position) {
+  const double limit = displacement_limit(pair);
+  const double limit_sq = limit * limit;
+  if (star_.displacement_sq(position) > limit_sq) return true;
+  if (share_of_turn * share_of_turn * star_.turn_sq(position) > limit_sq) return true;
+  if (!has(pair.a, irregular) && !has(pair.b, irregular)) return false;
+  return border_motion_.exceeds(
+      {pair.a, pair.b}, star_.stars(), [this](Index v) { return Vec3(mesh_.point(v)); }, position, limit_sq);
+}
+
 /// Of the pair that `star_` looks at, by their numbers at the start.
 std::span<const Index> Rounds::vanishing_faces(Index a) {
   const std::span<const Index> slots = star_.vanishing();
@@ -301,6 +319,7 @@ void Rounds::merge(const VertexPair& pair, const PairEvaluation& ranked, const V
   for (const Index v : star_.opposites()) note_change(v);
   for (const Index v : {a, b}) note_change(v);
   states_[a] = states_[b] = taken;
+  if (!displacements_.empty()) displacements_[survivor] = displacement_limit(pair);
   if (attributes_.any() || is_special(pair)) merge_knowledge(pair, survivor, removed, ranked, position);
   mesh_.merge(pair, removed, position, star_.others());
   n_faces_ -= star_.opposites().size();

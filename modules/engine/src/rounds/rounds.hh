@@ -28,6 +28,7 @@ namespace whittle {
 ///     if the faces at one of the two have changed: sum up its planes, and rank the pair anew
 ///     if the pair costs more than a round may: it waits
 ///     if another guard refuses it: as the link condition
+///     if it moves the surface farther than a limit, if there is one: the same, and isn't counted
 ///     else contract
 ///
 /// A frozen vertex takes part in no contraction. An irregular one, on a border or where the surface isn't manifold,
@@ -116,6 +117,8 @@ class Rounds {
   bool forgets(const VertexPair& pair) const { return !has(pair.a, irregular) && !has(pair.b, irregular); }
   std::optional<Refusal> refusal_at(const Vec3& position);
   bool makes_thin(const Vec3& position) const;
+  double displacement_limit(const VertexPair& pair) const;
+  bool moves_far(const VertexPair& pair, const Vec3& position);
   void refuse(const VertexPair& pair, Refusal why) {
     ++refusals_[why];
     held_.add_refused(pair, now());
@@ -132,6 +135,8 @@ class Rounds {
   ContractionLog* log_;
   FlipLimit flip_limit_;
   MeanFaceArea face_area_;
+  std::optional<double> displacement_;  ///< of the surface by one contraction, at most
+  std::vector<double> displacements_;   ///< in place of that, per vertex; or empty
   DecimateTarget target_ = DecimateTarget::as_far_as_possible();
 
   RoundScratchPool& pool_;
@@ -157,6 +162,7 @@ class Rounds {
   PairCosts pair_costs_;
   MergedStar star_;
   std::vector<Index> vanishing_;  ///< scratch
+  BorderMotion border_motion_;
 
   std::size_t n_faces_ = 0;  ///< now
   std::uint64_t n_contractions_ = 0;

@@ -47,6 +47,8 @@ Rounds::Rounds(WorkingSurface& surface, const StageContext& context, RoundScratc
       log_(context.log),
       flip_limit_(context.options.effective_max_normal_flip_deg()),
       face_area_(*surface.cost_state.face_area),
+      displacement_(context.limits.displacement),
+      displacements_(context.limits.displacements.begin(), context.limits.displacements.end()),
       pool_(pool),
       scratch_(pool.take()),
       mesh_(surface.positions, surface.faces, context.frozen, !context.areas.of.empty(), *scratch_),
