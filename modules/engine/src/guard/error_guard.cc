@@ -40,7 +40,20 @@ void ErrorGuard::begin(const ContractionProfile& profile, ErrorLook& look) {
   look.new_faces_.clear();
   list_new_faces(profile, look.new_faces_);
   list_around(profile, look.around_);
-  list_affected(look);
+}
+
+void ErrorGuard::list_affected(ErrorLook& look) {
+  look.affected_.clear();
+  const auto list = [&](Index v) {
+    supports_.for_each_at(v, [&](Index point) {
+      if (!is_at(look.pair_, supports_.support(point))) return;
+      places_[point] = {look.number_, static_cast<Index>(look.affected_.size())};
+      look.affected_.push_back(point);
+    });
+  };
+  list(look.pair_.a);
+  list(look.pair_.b);
+  for (const Index v : look.around_) list(v);
 }
 
 /// What takes little time is looked at first.
@@ -121,20 +134,6 @@ void ErrorGuard::list_around(const ContractionProfile& profile, std::vector<Inde
   for (const ContractionProfile::Common& common : profile.merged_neighbours()) around.push_back(common.vertex);
   std::sort(around.begin(), around.end());
   around.erase(std::unique(around.begin(), around.end()), around.end());
-}
-
-void ErrorGuard::list_affected(ErrorLook& look) {
-  look.affected_.clear();
-  const auto list = [&](Index v) {
-    supports_.for_each_at(v, [&](Index point) {
-      if (!is_at(look.pair_, supports_.support(point))) return;
-      places_[point] = {look.number_, static_cast<Index>(look.affected_.size())};
-      look.affected_.push_back(point);
-    });
-  };
-  list(look.pair_.a);
-  list(look.pair_.b);
-  for (const Index v : look.around_) list(v);
 }
 
 /// Whether the points whose support changes have a new one, and the edges at them are near. Points that had none once

@@ -62,7 +62,10 @@ class ErrorGuard {
   ErrorLook new_look() const { return ErrorLook(bound_); }
   /// Begins to look at a contraction, one at a time.
   void begin(const ContractionProfile& profile, ErrorLook& look);
+  /// Lists the points whose support changes. Threads may do so at once, but while none asks `accepts`.
+  void list_affected(ErrorLook& look);
   /// Whether the merged vertex may be at a position. Any number of threads may ask, each with a look of its own.
+  /// \pre list_affected
   bool accepts(const Vec3& position, ErrorLook& look);
   /// Where the merged vertex may rather be than at the position looked at last: nearer to the input. The farthest first
   std::vector<Vec3> nearer_positions(const ErrorLook& look) const;
@@ -96,7 +99,6 @@ class ErrorGuard {
     return std::any_of(face.begin(), face.end(), [&pair](Index v) { return v == pair.a || v == pair.b; });
   }
   static void list_around(const ContractionProfile& profile, std::vector<Index>& around);
-  void list_affected(ErrorLook& look);
   void list_faces_around(ErrorLook& look) const;
   bool are_affected_near(ErrorLook& look);
   bool are_edges_near(ErrorLook& look, Index point, Index support) const;

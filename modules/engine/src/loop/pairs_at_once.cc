@@ -1,6 +1,7 @@
 #include "loop/pairs_at_once.hh"
 
 #include <algorithm>
+#include <utility>
 
 namespace whittle {
 namespace {
@@ -44,8 +45,14 @@ void PairsAtOnce::add(const RankedPair& ranked, const ContractionProfile& profil
   entry.ranked = ranked;
   entry.places.assign(places.begin(), places.end());
   entry.next = 0;
-  entry.is_accepted = false;
+  entry.is_accepted = entry.has_begun = false;
   for (std::size_t i = 0; i < guards_.size(); ++i) guards_[i]->begin(profile, entry.looks[i]);
+}
+
+/// On all threads.
+template <class Work>
+void PairsAtOnce::for_each_open(const Work& work) {
+  thread_pool_.for_each_range(open_.size(), 1, [&](std::size_t begin, std::size_t) { work(*open_[begin]); });
 }
 
 void PairsAtOnce::look() {
@@ -53,7 +60,11 @@ void PairsAtOnce::look() {
   for (Entry& entry : entries()) {
     if (entry.is_open()) open_.push_back(&entry);
   }
-  thread_pool_.for_each_range(open_.size(), 1, [this](std::size_t begin, std::size_t) { look_at(*open_[begin]); });
+  for_each_open([this](Entry& entry) {
+    if (std::exchange(entry.has_begun, true)) return;
+    for (std::size_t i = 0; i < guards_.size(); ++i) guards_[i]->list_affected(entry.looks[i]);
+  });
+  for_each_open([this](Entry& entry) { look_at(entry); });
 }
 
 void PairsAtOnce::look_at(Entry& entry) {

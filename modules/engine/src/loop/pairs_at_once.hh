@@ -34,7 +34,8 @@ class PairsAtOnce {
    private:
     friend class PairsAtOnce;
     std::vector<ErrorLook> looks{};  ///< one a guard
-    std::size_t refuser = 0;         ///< of the place looked at last
+    bool has_begun = false;
+    std::size_t refuser = 0;  ///< of the place looked at last
   };
 
   PairsAtOnce(TriangleComplex& complex, const StageLimits& limits, unsigned threads);
@@ -59,6 +60,8 @@ class PairsAtOnce {
   void note(const Change& change, const Entry& entry);
 
  private:
+  template <class Work>
+  void for_each_open(const Work& work);
   void look_at(Entry& entry);
 
   TriangleComplex& complex_;
