@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "error/marked_vertices.hh"
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/nearest_on_triangle.hh"
 
 namespace whittle {
 namespace {
@@ -223,6 +225,7 @@ bool ErrorLimitedRun::contract_guarded() {
     const ErrorBound::Violations violations = exact.check(checked, exact.limit());
     const ErrorBound::Violations of_borders = error_bounds_->check_borders(checked);
     if (violations.empty() && of_borders.empty()) return true;
+    if (of_borders.empty() && move_to_far_points(surface, violations)) return true;
     run_.return_to(before);
     if (of_borders.is_surface_far || (violations.is_surface_far && !coarse_bound_)) return false;
     if (violations.is_surface_far) coarse_bound_->tighten();
@@ -230,6 +233,43 @@ bool ErrorLimitedRun::contract_guarded() {
     if (error_bounds_->borders() != nullptr) error_bounds_->borders()->add_points(of_borders.points);
   }
   return false;
+}
+
+/// Whether vertices need be nowhere but near to the input.
+bool ErrorLimitedRun::may_move_vertices() const {
+  const DecimateOptions& options = run_.options();
+  const bool has_lines = options.feature_angle_deg.value_or(180) < 180 || !options.feature_edges.empty();
+  return options.locked.empty() && options.boundary != Boundary::locked && !has_lines && !options.min_radius_ratio &&
+         !options.refuse_intersections && options.quadric.placement == Placement::optimal &&
+         options.effective_cost() != Cost::midpoint;
+}
+
+/// Moves faces towards points of the input that are little too far from them: mostly there are one or two.
+/// \return whether what is left is proven then. Otherwise all is as it was
+bool ErrorLimitedRun::move_to_far_points(IndexedMesh surface, ErrorBound::Violations violations) {
+  constexpr int most_tries = 3;
+  constexpr double share_of_limit = 0.98;
+  ErrorBound& exact = error_bounds_->surface();
+  if (!may_move_vertices()) return false;
+  for (int i = 0; i < most_tries && !violations.is_surface_far && !violations.points.empty(); ++i) {
+    const TargetSurface target(surface, Frame{});
+    std::vector<std::uint8_t> is_changed(surface.positions.size());
+    for (const ErrorBound::FarPoint& far : violations.points) {
+      const Index face = target.nearest(far.position, invalid_index).face;
+      const Corners corners = target.faces().corners(face);
+      const auto& [a, b, c] = corners;
+      const Barycentric at = nearest_on_triangle(a - far.position, b - far.position, c - far.position);
+      const Vec3 way = far.position - point_at(corners, at);
+      for (const Index v : surface.faces[face]) {
+        surface.positions[v] += (1 - std::min(1.0, share_of_limit * far.limit / way.norm())) * way;
+        is_changed[v] = 1;
+      }
+    }
+    violations = exact.check_again({surface, Frame{}, left().vertex_map}, is_changed);
+  }
+  if (!violations.empty() || !error_bounds_->check_borders({surface, Frame{}, left().vertex_map}).empty()) return false;
+  run_.move_vertices(std::move(surface.positions));
+  return true;
 }
 
 /// The guards look at the supports that are found with them.

@@ -37,6 +37,8 @@ class ErrorLimitedRun {
   ErrorBound& guarding_bound() { return coarse_bound_ ? *coarse_bound_ : error_bounds_->surface(); }
   ErrorBound::Violations find_violations_before_guarding();
   bool contract_guarded();
+  bool may_move_vertices() const;
+  bool move_to_far_points(IndexedMesh surface, ErrorBound::Violations violations);
   bool contract_guarded_from_input(const BlockPlan& plan);
   bool end_with(const StagedRun::State& state);
   void contract_nothing();

@@ -58,6 +58,8 @@ class StagedRun {
   DecimateResult contract(const DecimateTarget& stop, bool is_last, const StageLimits& limits = {});
   /// \return whether to go on
   bool checkpoint();
+  /// After the last stage. \param positions of all vertices, in the frame
+  void move_vertices(std::vector<Vec3> positions);
   /// \param keeps_in_charts as that of `carry_attributes`
   Decimation finish(bool keeps_in_charts);
 
@@ -67,6 +69,7 @@ class StagedRun {
   bool is_listener_told_at_end() const { return options_.listener && target_.error_limit(); }
   bool keeps_steps() const { return options_.keep_steps || is_listener_told_at_end() || keeps_steps_of_all_; }
   bool is_told() const { return options_.listener || keeps_steps(); }
+  std::vector<PassEnd::MovedVertex> put_vertices(std::vector<Vec3> positions);
   void note_nonmanifold(const DecimateResult& result);
   // contraction_stage.cc
   double way_to(const DecimateTarget& stop) const;

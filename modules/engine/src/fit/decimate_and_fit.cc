@@ -1,6 +1,9 @@
 #include "whittle/engine/detail/decimate_and_fit.hh"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "decimate/checkpoint/changes.hh"
@@ -21,6 +24,20 @@ std::vector<Index> vertices_left(const Decimation& decimation) {
   return vertices;
 }
 
+/// \param earlier, later ascending
+std::vector<PassEnd::MovedVertex> merged_moves(std::vector<PassEnd::MovedVertex> earlier,
+                                               const std::vector<PassEnd::MovedVertex>& later) {
+  const auto is_before = [](const PassEnd::MovedVertex& a, const PassEnd::MovedVertex& b) {
+    return a.vertex < b.vertex;
+  };
+  std::erase_if(earlier, [&](const PassEnd::MovedVertex& moved) {
+    return std::binary_search(later.begin(), later.end(), moved, is_before);
+  });
+  std::vector<PassEnd::MovedVertex> all;
+  std::merge(earlier.begin(), earlier.end(), later.begin(), later.end(), std::back_inserter(all), is_before);
+  return all;
+}
+
 /// Calls `fit`, and notes what it changes. \return what it returns
 template <class FitAndTell>
 bool fit_and_note(Decimation& decimation, const FitAndTell& fit) {
@@ -30,7 +47,7 @@ bool fit_and_note(Decimation& decimation, const FitAndTell& fit) {
   const bool result = fit();
   const std::vector<Index> vertices = vertices_left(decimation);
   PassEnd& end = decimation.steps.pass_ends.back();
-  end.moved = moved_vertices(positions, decimation.mesh.positions, vertices);
+  end.moved = merged_moves(std::move(end.moved), moved_vertices(positions, decimation.mesh.positions, vertices));
   end.turned = turned_faces(faces, decimation.mesh.faces, vertices, decimation.face_origins);
   return result;
 }

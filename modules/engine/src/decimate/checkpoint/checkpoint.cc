@@ -26,6 +26,25 @@ WorkingSurface geometry_alone(const WorkingSurface& surface) {
 
 }  // namespace
 
+/// \return which are elsewhere now, if steps are kept
+std::vector<PassEnd::MovedVertex> StagedRun::put_vertices(std::vector<Vec3> positions) {
+  WorkingSurface& surface = state_.surface;
+  std::vector<PassEnd::MovedVertex> moved;
+  for (Index v = 0; v < positions.size() && keeps_steps(); ++v) {
+    if (positions[v] == surface.positions[v]) continue;
+    const Index origin = surface.origins[v];
+    moved.push_back({origin, to_output(positions[v], mesh_.positions[origin], frame_)});
+  }
+  surface.cost_state.move_origins(surface.positions.own(), positions);
+  surface.positions = std::move(positions);
+  return moved;
+}
+
+void StagedRun::move_vertices(std::vector<Vec3> positions) {
+  std::vector<PassEnd::MovedVertex> moved = put_vertices(std::move(positions));
+  if (keeps_steps()) report().steps.pass_ends.back().moved = std::move(moved);
+}
+
 bool StagedRun::checkpoint() {
   WorkingSurface& surface = state_.surface;
   Decimation paused = geometry_of(mesh_, geometry_alone(surface), frame_);
@@ -42,15 +61,11 @@ bool StagedRun::checkpoint() {
     changes.turned = turned_faces(surface.faces, paused.mesh.faces, surface.origins, surface.face_origins);
   }
   surface.faces = std::move(paused.mesh.faces);
-  std::vector<Vec3>& positions = surface.positions.own();
-  const std::vector<Vec3> positions_before = positions;
+  std::vector<Vec3> positions(surface.positions.begin(), surface.positions.end());
   for (Index v = 0; v < before.size(); ++v) {
-    if (paused.mesh.positions[v] == before[v]) continue;
-    positions[v] = frame_.to_frame(paused.mesh.positions[v]);
-    const Index origin = surface.origins[v];
-    if (keeps_steps()) changes.moved.push_back({origin, to_output(positions[v], mesh_.positions[origin], frame_)});
+    if (paused.mesh.positions[v] != before[v]) positions[v] = frame_.to_frame(paused.mesh.positions[v]);
   }
-  surface.cost_state.move_origins(positions_before, positions);
+  changes.moved = put_vertices(std::move(positions));
   if (!surface.lines.edges.empty()) find_courses(mesh_, frame_, input_features(mesh_, options_), surface);
   if (keeps_steps()) {
     changes.n_contractions = report().steps.contractions.size();
