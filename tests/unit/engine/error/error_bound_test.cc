@@ -83,8 +83,7 @@ TEST(ErrorBound, IsCheckedAgainWhereVerticesHaveMoved) {
       for (int i = 0; i < 1 + round % 3; ++i) {
         const auto v = static_cast<std::size_t>((random.number() + 1) / 2 * static_cast<double>(is_changed.size() - 1));
         const bool is_taken_back = random.number() < 0;
-        moved.positions[v] =
-            is_taken_back ? small.mesh.positions[v] : Vec3(moved.positions[v] + 2 * limit * random());
+        moved.positions[v] = is_taken_back ? small.mesh.positions[v] : Vec3(moved.positions[v] + 2 * limit * random());
         is_changed[v] = 1;
       }
       if (round % 10 == 9) {
