@@ -39,14 +39,14 @@ void PairsAtOnce::add(const RankedPair& ranked, const ContractionProfile& profil
   for (const Index v : closed_) taken_by_[v] = round_;
   if (n_ == entries_.size()) {
     entries_.emplace_back();
-    for (const auto& guard : guards_) entries_.back().looks.push_back(guard->new_look());
+    for (const auto& guard : guards_) entries_.back().looks_.push_back(guard->new_look());
   }
   Entry& entry = entries_[n_++];
   entry.ranked = ranked;
   entry.places.assign(places.begin(), places.end());
   entry.next = 0;
-  entry.is_accepted = entry.has_begun = false;
-  for (std::size_t i = 0; i < guards_.size(); ++i) guards_[i]->begin(profile, entry.looks[i]);
+  entry.is_accepted = entry.has_begun_ = false;
+  for (std::size_t i = 0; i < guards_.size(); ++i) guards_[i]->begin(profile, entry.looks_[i]);
 }
 
 /// On all threads.
@@ -61,8 +61,8 @@ void PairsAtOnce::look() {
     if (entry.is_open()) open_.push_back(&entry);
   }
   for_each_open([this](Entry& entry) {
-    if (std::exchange(entry.has_begun, true)) return;
-    for (std::size_t i = 0; i < guards_.size(); ++i) guards_[i]->list_affected(entry.looks[i]);
+    if (std::exchange(entry.has_begun_, true)) return;
+    for (std::size_t i = 0; i < guards_.size(); ++i) guards_[i]->list_affected(entry.looks_[i]);
   });
   for_each_open([this](Entry& entry) { look_at(entry); });
 }
@@ -70,26 +70,26 @@ void PairsAtOnce::look() {
 void PairsAtOnce::look_at(Entry& entry) {
   for (; entry.is_open(); ++entry.next) {
     std::size_t i = 0;
-    while (i < guards_.size() && guards_[i]->accepts(entry.place().position, entry.looks[i])) ++i;
+    while (i < guards_.size() && guards_[i]->accepts(entry.place().position, entry.looks_[i])) ++i;
     entry.is_accepted = i == guards_.size();
     if (entry.is_accepted) return;
-    entry.refuser = i;
+    entry.refuser_ = i;
   }
 }
 
 std::vector<Vec3> PairsAtOnce::nearer_positions(const Entry& entry) const {
-  return guards_[entry.refuser]->nearer_positions(entry.looks[entry.refuser]);
+  return guards_[entry.refuser_]->nearer_positions(entry.looks_[entry.refuser_]);
 }
 
 bool PairsAtOnce::still_accepts(Entry& entry) {
   for (std::size_t i = 0; i < guards_.size(); ++i) {
-    if (!guards_[i]->still_accepts(entry.looks[i], entries_.front().looks[i])) return false;
+    if (!guards_[i]->still_accepts(entry.looks_[i], entries_.front().looks_[i])) return false;
   }
   return true;
 }
 
 void PairsAtOnce::note(const Change& change, const Entry& entry) {
-  for (std::size_t i = 0; i < guards_.size(); ++i) guards_[i]->note(change, entry.looks[i]);
+  for (std::size_t i = 0; i < guards_.size(); ++i) guards_[i]->note(change, entry.looks_[i]);
 }
 
 }  // namespace whittle

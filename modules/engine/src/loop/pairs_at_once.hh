@@ -33,9 +33,9 @@ class PairsAtOnce {
 
    private:
     friend class PairsAtOnce;
-    std::vector<ErrorLook> looks{};  ///< one a guard
-    bool has_begun = false;
-    std::size_t refuser = 0;  ///< of the place looked at last
+    std::vector<ErrorLook> looks_{};  ///< one a guard
+    bool has_begun_ = false;
+    std::size_t refuser_ = 0;  ///< of the place looked at last
   };
 
   PairsAtOnce(TriangleComplex& complex, const StageLimits& limits, unsigned threads);

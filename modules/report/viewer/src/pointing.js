@@ -21,25 +21,26 @@ export function setUpClicks(canvas, {onClick, onDoubleClick}) {
 
 const middleOf = ([a, b]) => ({y: (a.clientY + b.clientY) / 2, apart: Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY)});
 
-/** Two fingers zoom where they go apart, and scroll the page where they go up or down together. Otherwise a page whose
-    picture fills the window of a phone could not be scrolled. \param view its controls would move the meshes */
+/** Two fingers zoom if they go apart, and scroll the page if they go up or down together. Otherwise a page whose picture
+    fills the window of a phone could not be scrolled. \param view its controls would move the meshes */
 export function setUpFingers(canvas, view) {
   let start = null;
   let last = null;
-  let isScrolling = false;
+  let doing = null; // what two fingers do, once it is plain
   canvas.addEventListener('pointerdown', (event) => { view.controls.enablePan = event.pointerType !== 'touch'; }, {capture: true});
-  canvas.addEventListener('touchstart', ({touches}) => {
-    [start, isScrolling] = [touches.length === 2 ? middleOf(touches) : null, false];
+  const begins = ({touches}) => {
+    [start, doing] = [touches.length === 2 ? middleOf(touches) : null, null];
     last = start;
-    view.controls.enableZoom = true;
-  }, {passive: true});
+    view.controls.enableZoom = !start;
+  };
+  for (const type of ['touchstart', 'touchend', 'touchcancel']) canvas.addEventListener(type, begins, {passive: true});
   canvas.addEventListener('touchmove', ({touches}) => {
     if (!start || touches.length !== 2) return;
     const now = middleOf(touches);
-    const moved = Math.abs(now.y - start.y);
-    if (!isScrolling && moved > begin && moved > Math.abs(now.apart - start.apart)) isScrolling = true;
-    if (isScrolling) window.scrollBy({top: last.y - now.y, behavior: 'instant'});
-    view.controls.enableZoom = !isScrolling;
+    const [along, apart] = [Math.abs(now.y - start.y), Math.abs(now.apart - start.apart)];
+    if (!doing && Math.max(along, apart) > begin) doing = along > apart ? 'scrolls' : 'zooms';
+    if (doing === 'scrolls') window.scrollBy({top: last.y - now.y, behavior: 'instant'});
+    view.controls.enableZoom = doing === 'zooms';
     last = now;
   }, {passive: true});
 }
