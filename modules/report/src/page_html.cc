@@ -69,7 +69,9 @@ std::string deflated(const std::vector<unsigned char>& bytes) {
 std::string charts_html(const std::vector<PageChart>& charts) {
   std::string html;
   for (const auto& [title, svg] : charts) {
-    html += "<figure><figcaption>" + escaped(title) + "</figcaption>" + svg + "</figure>\n";
+    const bool may_scroll = svg.find("width=\"920") != std::string::npos;  // as style.css has it
+    html += may_scroll ? "<figure tabindex=\"0\">" : "<figure>";
+    html += "<figcaption>" + escaped(title) + "</figcaption>" + svg + "</figure>\n";
   }
   return html;
 }

@@ -70,14 +70,17 @@ bool ErrorLimitedRun::contract_in_steps(const BlockPlan& plan) {
 /// many as the third one; of long and thin triangles nearly all, and then the third step takes long.
 bool ErrorLimitedRun::has_plain_level_far_below(const BlockPlan& plan) {
   constexpr std::size_t far = 4;
+  constexpr std::size_t little = 3;  // the second step leaves more than a third: what it did may be in the way
   if (run_.is_cancelled() || is_target_reached()) return false;
+  const StagedRun::State before = run_.state();
+  if (little * run_.n_faces_left() > run_.mesh().faces.size()) run_.begin_anew(before.report.progress);
   plain_run_.emplace(run_, *error_bounds_, plan);
+  if (!run_.is_cancelled()) run_.return_to(before);
   return !run_.is_cancelled() && plain_run_->is_proven_with_vertices(run_.n_vertices_left() / far);
 }
 
-/// Contracts from the second step on as if there were no limit, as far as the result is proven to be near to the input,
-/// and from there what keeps near.
-/// \return whether that leaves fewer faces. Else all is as it was
+/// Contracts, from the second step on or from the input, as if there were no limit, as far as the result is proven to
+/// be near to the input, and from there what keeps near. \return whether that leaves fewer faces. Else all is as it was
 bool ErrorLimitedRun::contract_from_plain_level(const BlockPlan& plan) {
   const StagedRun::State before = run_.state();
   const std::size_t n_faces = run_.n_faces_left();

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "complex/contraction_profile.hh"
-#include "whittle/core/geometry/triangle.hh"
+#include "whittle/core/geometry/proof/linked_faces.hh"
 
 namespace whittle {
 
@@ -29,7 +30,12 @@ class BorderMotion {
  private:
   using Edges = std::vector<Corners>;  ///< triangles of which two corners are one
 
-  static double distance_sq_to(const Edges& edges, const Vec3& point);
+  /// Infinite if there are none.
+  static double distance_sq_to(const Edges& edges, const Vec3& point) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Corners& edge : edges) least = std::min(least, distance_to(edge, point));
+    return least * least;
+  }
   void list_ends(std::span<const LinkEdge> faces) {
     for (const auto& [x, y] : faces) ends_.insert(ends_.end(), {x, y});
   }
