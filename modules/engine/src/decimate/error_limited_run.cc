@@ -25,10 +25,29 @@ IndexedMesh surface_of(const WorkingSurface& left) {
 /// Contracts in two ways, and takes the one that leaves fewer faces.
 std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
   const bool is_done = contract_in_steps(plan);
-  if (!is_done && !run_.is_cancelled() && run_.report().result.stop != StopReason::target) {
-    contract_from_plain_level(plan);
+  const auto may_go_on = [this] { return !run_.is_cancelled() && run_.report().result.stop != StopReason::target; };
+  if (!is_done && may_go_on()) contract_from_plain_level(plan);
+  if (may_go_on() && has_plain_level_near()) {
+    make_plain_run(true, plan);
+    if (!run_.is_cancelled()) contract_from_plain_level(plan);
   }
   return end();
+}
+
+/// \param begins_with_input rather than with what is left now
+void ErrorLimitedRun::make_plain_run(bool begins_with_input, const BlockPlan& plan) {
+  const StagedRun::State before = run_.state();
+  if (begins_with_input) run_.begin_anew(before.report.progress);
+  plain_run_.emplace(run_, *error_bounds_, plan);
+  if (!run_.is_cancelled()) run_.return_to(before);
+}
+
+/// Whether the plain run is proven to leave hardly more faces than there are. Then one that begins with the input may
+/// leave fewer: what the second step did is in its way.
+bool ErrorLimitedRun::has_plain_level_near() {
+  constexpr double near = 1.5;
+  const double n_vertices = near * static_cast<double>(run_.n_vertices_left());
+  return plain_run_ && plain_run_->is_proven_with_vertices(static_cast<std::size_t>(n_vertices));
 }
 
 /// Contracts as far as the error may be, in three steps: what moves the surface by next to nothing, which leaves a
@@ -70,12 +89,8 @@ bool ErrorLimitedRun::contract_in_steps(const BlockPlan& plan) {
 /// many as the third one; of long and thin triangles nearly all, and then the third step takes long.
 bool ErrorLimitedRun::has_plain_level_far_below(const BlockPlan& plan) {
   constexpr std::size_t far = 4;
-  constexpr std::size_t little = 3;  // the second step leaves more than a third: what it did may be in the way
   if (run_.is_cancelled() || is_target_reached()) return false;
-  const StagedRun::State before = run_.state();
-  if (little * run_.n_faces_left() > run_.mesh().faces.size()) run_.begin_anew(before.report.progress);
-  plain_run_.emplace(run_, *error_bounds_, plan);
-  if (!run_.is_cancelled()) run_.return_to(before);
+  make_plain_run(false, plan);
   return !run_.is_cancelled() && plain_run_->is_proven_with_vertices(run_.n_vertices_left() / far);
 }
 
@@ -85,7 +100,7 @@ bool ErrorLimitedRun::contract_from_plain_level(const BlockPlan& plan) {
   const StagedRun::State before = run_.state();
   const std::size_t n_faces = run_.n_faces_left();
   std::unique_ptr<ErrorBound> coarse_bound = std::move(coarse_bound_);
-  if (!plain_run_) plain_run_.emplace(run_, *error_bounds_, plan);
+  if (!plain_run_) make_plain_run(false, plan);
   const bool has_level = !run_.is_cancelled() && plain_run_->contract_to_coarsest_proven(n_faces, plan);
   if (has_level) {
     if (!find_violations_before_guarding().empty() || !contract_guarded()) contract_no_more();

@@ -43,7 +43,9 @@ class ErrorLimitedRun {
   bool end_with(const StagedRun::State& state);
   void contract_nothing();
   bool contract_in_steps(const BlockPlan& plan);
+  void make_plain_run(bool begins_with_input, const BlockPlan& plan);
   bool has_plain_level_far_below(const BlockPlan& plan);
+  bool has_plain_level_near();
   bool contract_from_plain_level(const BlockPlan& plan);
   void contract_no_more();
   std::unique_ptr<ErrorBounds> end();
