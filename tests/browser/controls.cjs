@@ -252,7 +252,7 @@ function useOf(name) {
   if (boxes[name]) return useBox;
   if (buttons[name]) return useButton;
   const others = {slider: (visitor, _, by) => useSlider(visitor, by), save: (visitor, _, by) => useSave(visitor, by), count: useCount, limit: useLimit,
-    split: (visitor, _, by) => useSplit(visitor, by), div: useScroller, pre: useScroller, canvas: (visitor, _, by) => useCanvas(visitor, by),
+    split: (visitor, _, by) => useSplit(visitor, by), div: useScroller, figure: useScroller, pre: useScroller, canvas: (visitor, _, by) => useCanvas(visitor, by),
     summary: (visitor, _, by) => useSummary(visitor, by)};
   assert.ok(others[name], `this test doesn't know the control "${name}"`);
   return others[name];
@@ -303,7 +303,7 @@ async function usesTheKeys(page, {about}) {
     await trying(`the key ${key}`, () => usesTheKey(visitor, key, about));
   }
   for (const name of await visitor.controls()) {
-    if (['canvas', 'summary', 'slider', 'div', 'pre'].includes(name)) continue; // Tab and the keys of browsers
+    if (['canvas', 'summary', 'slider', 'div', 'figure', 'pre'].includes(name)) continue; // Tab and the keys of browsers
     assert.ok(listed.some((key) => keys[key] === name), `no key is listed for ${name}`);
   }
 }
@@ -334,4 +334,4 @@ async function usesTheKey(visitor, key, about) {
   }
 }
 
-module.exports = {usesThePlayer, usesTheView, usesTheKeys, known: [...Object.keys({...lists, ...boxes, ...buttons, ...inputs}), 'slider', 'canvas', 'summary', 'save', 'div', 'pre']};
+module.exports = {usesThePlayer, usesTheView, usesTheKeys, known: [...Object.keys({...lists, ...boxes, ...buttons, ...inputs}), 'slider', 'canvas', 'summary', 'save', 'div', 'figure', 'pre']};
