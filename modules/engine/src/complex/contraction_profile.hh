@@ -90,6 +90,14 @@ struct ContractionProfile {
 
   /// Common neighbours of which edges become one.
   const std::vector<Common>& merged_neighbours() const { return is_nonmanifold ? nonmanifold.common : opposites; }
+  /// Calls `use` with each neighbour of the pair, with some several times.
+  template <class Use>
+  void for_each_neighbour(const Use& use) const {
+    for (const StarFaces& faces : {first, second}) {
+      for (const Neighbour& neighbour : faces.neighbours()) use(neighbour.vertex);
+    }
+    for (const Common& common : merged_neighbours()) use(common.vertex);
+  }
 };
 
 /// What a contraction did. Everyone who keeps something about vertices or pairs is told by this record.

@@ -19,9 +19,7 @@ class UncertainVertices {
   /// Whether it has an end of the pair, or a neighbour of one.
   bool contains_any_around(const ContractionProfile& profile) const {
     unsigned any = flags_[profile.pair.a] | flags_[profile.pair.b];
-    for (const Neighbour& neighbour : profile.first.neighbours()) any |= flags_[neighbour.vertex];
-    for (const Neighbour& neighbour : profile.second.neighbours()) any |= flags_[neighbour.vertex];
-    for (const ContractionProfile::Common& opposite : profile.opposites) any |= flags_[opposite.vertex];
+    profile.for_each_neighbour([&](Index v) { any |= flags_[v]; });
     return any != 0;
   }
   void add(Index v) { flags_[v] = 1; }

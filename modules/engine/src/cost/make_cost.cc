@@ -34,6 +34,10 @@ std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Constraints&
   return std::make_unique<QuadricCost>(complex, constraints, quadric, has_threshold_pairs, options.threads);
 }
 
+bool places_anywhere(const DecimateOptions& options) {
+  return options.effective_cost() != Cost::midpoint && options.quadric.placement == Placement::optimal;
+}
+
 double cost_dimension(const DecimateOptions& options) {
   const double by_area = cost_traits(options.effective_cost()).dimension;
   if (options.effective_cost() != Cost::quadric) return by_area;

@@ -16,6 +16,9 @@ std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Constraints&
 /// What costs know of the options of quadrics.
 QuadricOptions quadric_options(const DecimateOptions& options);
 
+/// Whether the cost puts merged vertices anywhere, not at vertices or in the middle of edges alone.
+bool places_anywhere(const DecimateOptions& options);
+
 /// The power of a length that is the unit of the cost that the options ask for.
 double cost_dimension(const DecimateOptions& options);
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "cost/make_cost.hh"
 #include "error/marked_vertices.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/nearest_on_triangle.hh"
@@ -222,10 +223,10 @@ void ErrorLimitedRun::make_coarse_bound(const WorkingSurface& start) {
   coarse_bound_ = std::make_unique<ErrorBound>(surface_of(start), Frame{}, limit, run_.options().threads);
 }
 
-/// Contracts what keeps the bounds. Points of the input that are found to be too far in the end are then looked at,
-/// too. A coarse bound is made smaller if the surface is too far from the input.
-/// \pre find_violations_before_guarding().empty()
-/// \return whether what is left is proven to be near to the input, or the run is cancelled; otherwise it is as it was
+/// Contracts what keeps the bounds. Faces move to points of the input that are too far in the end; if that doesn't
+/// help, these points are looked at, too. A coarse bound is made smaller if the surface is too far from the input. \pre
+/// find_violations_before_guarding().empty() \return whether what is left is proven to be near to the input, or the run
+/// is cancelled; otherwise it is as it was
 bool ErrorLimitedRun::contract_guarded() {
   constexpr int most_tries = 12;
   const StagedRun::State before = run_.state();
@@ -258,8 +259,7 @@ bool ErrorLimitedRun::may_move_vertices() const {
   const DecimateOptions& options = run_.options();
   const bool has_lines = options.feature_angle_deg.value_or(180) < 180 || !options.feature_edges.empty();
   return options.locked.empty() && options.boundary != Boundary::locked && !has_lines && !options.min_radius_ratio &&
-         !options.refuse_intersections && options.quadric.placement == Placement::optimal &&
-         options.effective_cost() != Cost::midpoint;
+         !options.refuse_intersections && places_anywhere(options);
 }
 
 /// Moves faces towards points of the input that are little too far from them: mostly there are one or two.

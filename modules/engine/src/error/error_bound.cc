@@ -109,10 +109,7 @@ ErrorBound::ErrorBound(const IndexedMesh& input, const Frame& frame, double limi
       points_(input_.faces().positions.begin(), input_.faces().positions.end()),
       point_limits_(limits_at_vertices(input, limits_, limit)),
       neighbours_(neighbours_in(input)),
-      faces_at_(input.positions.size(), invalid_index) {
-  for (Index f = 0; f < input.faces.size(); ++f) {
-    for (const Index v : input.faces[f]) faces_at_[v] = f;
-  }
+      faces_at_(face_at_each_vertex(input.faces, input.positions.size())) {
   input_.build_tree(nullptr);
 }
 

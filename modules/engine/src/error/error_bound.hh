@@ -71,7 +71,8 @@ class ErrorBound {
 
   /// Tries to prove that a surface keeps the bound. \param limit in place of that of the bound
   Violations check(const CheckedSurface& checked, double limit) { return check(checked, {limit, Search::all}); }
-  /// The same of the surface checked last, after some of its vertices have moved: looks at what they change.
+  /// The same of the surface that `check` looked at last, after some of its vertices have moved: looks at what these
+  /// change. \pre neither `is_kept_by` nor `has_far_point` was asked since
   /// \param is_changed a vertex of the surface, 1 if it has moved
   Violations check_again(const CheckedSurface& checked, std::span<const std::uint8_t> is_changed);
   /// Whether that is proven: takes less time where it isn't.

@@ -61,14 +61,16 @@ bool fit_within(ErrorBounds& bounds, const IndexedMesh& input, const detail::Fit
   PartOfTheWay way(decimation.mesh.positions, fitted.mesh.positions);
   way.shorten(bounds.surface().far_vertices({fitted.mesh, frame, fitted.vertex_map}, far));
   way.place(fitted.mesh.positions);
-  ErrorBound::Violations violations = bounds.check({fitted.mesh, frame, fitted.vertex_map});
+  const CheckedSurface surface{fitted.mesh, frame, fitted.vertex_map};
+  ErrorBound::Violations violations = bounds.check(surface);
+  way.add_turned(fitted.mesh, violations.vertices);
   while (!violations.empty() || !violations.vertices.empty()) {
     const std::vector<std::uint8_t> at_violation = marked_vertices(violations.vertices, fitted.mesh.positions.size());
     std::vector<std::uint8_t> is_changed = way.shorten(at_violation);
     if (!is_any(is_changed)) is_changed = way.shorten(with_neighbours(at_violation, fitted.mesh.faces));
     if (!is_any(is_changed)) return false;
     way.place(fitted.mesh.positions);
-    violations = bounds.check_again({fitted.mesh, frame, fitted.vertex_map}, is_changed);
+    violations = bounds.check_again(surface, is_changed);
     way.add_turned(fitted.mesh, violations.vertices);
   }
   if (fitted.mesh.positions == decimation.mesh.positions) return false;

@@ -17,6 +17,24 @@ struct StarsOfPair {
   std::span<const Index> opposites;                 ///< third corners of the faces at both
 };
 
+/// Calls `use` with each vertex that is named once: a border edge leads to it. \param ends the other corners of the
+/// faces at a vertex; gets sorted
+template <class Use>
+void for_each_border_end(std::vector<Index>& ends, const Use& use) {
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
+    while (end < ends.size() && ends[end] == ends[begin]) ++end;
+    if (end - begin == 1) use(ends[begin]);
+  }
+}
+
+/// From the nearest of some faces; infinite if there are none.
+inline double distance_to_nearest(std::span<const Corners> faces, const Vec3& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Corners& face : faces) least = std::min(least, distance_to(face, point));
+  return least;
+}
+
 /// Tells how far a contraction moves the open border.
 class BorderMotion {
  public:
@@ -25,17 +43,11 @@ class BorderMotion {
   /// \param pair its two vertices \param position_of of each vertex now \param position of the merged vertex
   template <class PositionOf>
   bool exceeds(std::array<Index, 2> pair, const StarsOfPair& stars, const PositionOf& position_of, const Vec3& position,
-               double limit_sq);
+               double limit);
 
  private:
   using Edges = std::vector<Corners>;  ///< triangles of which two corners are one
 
-  /// Infinite if there are none.
-  static double distance_sq_to(const Edges& edges, const Vec3& point) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Corners& edge : edges) least = std::min(least, distance_to(edge, point));
-    return least * least;
-  }
   void list_ends(std::span<const LinkEdge> faces) {
     for (const auto& [x, y] : faces) ends_.insert(ends_.end(), {x, y});
   }
@@ -49,7 +61,7 @@ class BorderMotion {
 
 template <class PositionOf>
 bool BorderMotion::exceeds(std::array<Index, 2> pair, const StarsOfPair& stars, const PositionOf& position_of,
-                           const Vec3& position, double limit_sq) {
+                           const Vec3& position, double limit) {
   before_.clear();
   after_.clear();
   ends_.clear();
@@ -63,19 +75,17 @@ bool BorderMotion::exceeds(std::array<Index, 2> pair, const StarsOfPair& stars, 
     for (const Index opposite : stars.opposites) ends_.insert(ends_.end(), {opposite, pair[1 - end]});
     const Vec3 from = position_of(pair[end]);
     list_edges(from, position_of, before_);
-    if (before_.size() > n_before) is_far |= distance_sq_to(after_, from) > limit_sq;
+    if (before_.size() > n_before) is_far |= distance_to_nearest(after_, from) > limit;
   }
-  return is_far || (!after_.empty() && distance_sq_to(before_, position) > limit_sq);
+  return is_far || (!after_.empty() && distance_to_nearest(before_, position) > limit);
 }
 
-/// Adds an edge to each vertex that is named once in `ends_`: it has one face.
 template <class PositionOf>
 void BorderMotion::list_edges(const Vec3& from, const PositionOf& position_of, Edges& edges) {
-  for (const Index v : ends_) {
-    if (std::count(ends_.begin(), ends_.end(), v) != 1) continue;
+  for_each_border_end(ends_, [&](Index v) {
     const Vec3 to = position_of(v);
     edges.push_back({from, to, to});
-  }
+  });
 }
 
 }  // namespace whittle

@@ -1,20 +1,12 @@
 #include "guard/displacement_guard.hh"
 
 #include <algorithm>
-#include <limits>
-#include <tuple>
+#include <cmath>
 
-#include "whittle/core/geometry/proof/linked_faces.hh"
 #include "whittle/core/geometry/triangle.hh"
 
 namespace whittle {
 namespace {
-
-double distance_to_all(const std::vector<std::array<Vec3, 3>>& faces, const Vec3& point) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::array<Vec3, 3>& face : faces) least = std::min(least, distance_to(face, point));
-  return least;
-}
 
 /// Between two normals: 1 if one is zero.
 double cosine_between(const Vec3& normal, const Vec3& other) {
@@ -65,7 +57,7 @@ bool DisplacementGuard::moves_border(const ContractionProfile& profile, const Ve
   for (const ContractionProfile::Common& opposite : profile.opposites) opposites_.push_back(opposite.vertex);
   return border_motion_.exceeds(
       {profile.pair.a, profile.pair.b}, {{others_[0], others_[1]}, opposites_},
-      [this](Index v) { return complex_.position(v); }, position, limit_sq_);
+      [this](Index v) { return complex_.position(v); }, position, std::sqrt(limit_sq_));
 }
 
 DisplacementGuard::Motion DisplacementGuard::motion(ContractionProfile& profile, const Vec3& position) {
@@ -91,8 +83,8 @@ DisplacementGuard::Motion DisplacementGuard::motion(ContractionProfile& profile,
   for (const ContractionProfile::Common& opposite : profile.opposites) {
     before_.push_back({ends[0], ends[1], complex_.position(opposite.vertex)});
   }
-  const double displacement = std::max(
-      {distance_to_all(before_, position), distance_to_all(after_, ends[0]), distance_to_all(after_, ends[1])});
+  const double displacement = std::max({distance_to_nearest(before_, position), distance_to_nearest(after_, ends[0]),
+                                        distance_to_nearest(after_, ends[1])});
   return {displacement * displacement, least_cosine};
 }
 

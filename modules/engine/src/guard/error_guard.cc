@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "guard/border_motion.hh"
 #include "whittle/core/geometry/nearest_on_triangle.hh"
 
 namespace whittle {
@@ -11,13 +12,8 @@ namespace {
 /// hundreds of edges, as fans have, an edge of the input may lie across all faces; elsewhere it takes some hundred.
 constexpr std::size_t most_looks = 1 << 15;
 
-/// Adds a border edge to each vertex that is named once: an edge with one face leads to it.
 void add_border_edges(std::vector<Index>& ends, std::vector<LinkEdge>& edges) {
-  std::sort(ends.begin(), ends.end());
-  for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
-    while (end < ends.size() && ends[end] == ends[begin]) ++end;
-    if (end - begin == 1) edges.push_back({ends[begin], ends[begin]});
-  }
+  for_each_border_end(ends, [&edges](Index v) { edges.push_back({v, v}); });
 }
 
 }  // namespace
@@ -128,10 +124,7 @@ void ErrorGuard::list_faces_around(ErrorLook& look) const {
 
 void ErrorGuard::list_around(const ContractionProfile& profile, std::vector<Index>& around) {
   around.clear();
-  for (const StarFaces& faces : {profile.first, profile.second}) {
-    for (const Neighbour& neighbour : faces.neighbours()) around.push_back(neighbour.vertex);
-  }
-  for (const ContractionProfile::Common& common : profile.merged_neighbours()) around.push_back(common.vertex);
+  profile.for_each_neighbour([&](Index v) { around.push_back(v); });
   std::sort(around.begin(), around.end());
   around.erase(std::unique(around.begin(), around.end()), around.end());
 }

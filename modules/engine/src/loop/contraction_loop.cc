@@ -344,8 +344,7 @@ void ContractionLoop::find_nearer_places(PairsAtOnce::Entry& entry) {
 
 /// Whether the merged vertex may lie elsewhere than where the cost puts it.
 bool ContractionLoop::may_place_anywhere(const Pair& pair) const {
-  return options_.effective_cost() != Cost::midpoint && options_.quadric.placement == Placement::optimal &&
-         constraints_.of(pair) == PairConstraint::none;
+  return places_anywhere(options_) && constraints_.of(pair) == PairConstraint::none;
 }
 
 /// The guard that refuses the pair wherever its merged vertex goes.

@@ -27,10 +27,7 @@ void PairsAtOnce::clear() {
 
 bool PairsAtOnce::is_apart(const ContractionProfile& profile) {
   closed_.assign({profile.pair.a, profile.pair.b});
-  for (const StarFaces& faces : {profile.first, profile.second}) {
-    for (const Neighbour& neighbour : faces.neighbours()) closed_.push_back(neighbour.vertex);
-  }
-  for (const ContractionProfile::Common& common : profile.merged_neighbours()) closed_.push_back(common.vertex);
+  profile.for_each_neighbour([this](Index v) { closed_.push_back(v); });
   return std::none_of(closed_.begin(), closed_.end(), [this](Index v) { return taken_by_[v] == round_; });
 }
 

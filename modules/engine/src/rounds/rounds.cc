@@ -286,7 +286,7 @@ bool Rounds::moves_far(const VertexPair& pair, const Vec3& position) {
   if (share_of_turn * share_of_turn * star_.turn_sq(position) > limit_sq) return true;
   if (!has(pair.a, irregular) && !has(pair.b, irregular)) return false;
   return border_motion_.exceeds(
-      {pair.a, pair.b}, star_.stars(), [this](Index v) { return Vec3(mesh_.point(v)); }, position, limit_sq);
+      {pair.a, pair.b}, star_.stars(), [this](Index v) { return Vec3(mesh_.point(v)); }, position, limit);
 }
 
 /// Of the pair that `star_` looks at, by their numbers at the start.

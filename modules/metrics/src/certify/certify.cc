@@ -97,18 +97,9 @@ class Surfaces {
   std::optional<TargetSurface> second_;
 };
 
-/// A face at each vertex, or `invalid_index`.
-std::vector<Index> faces_at_vertices(const IndexedMesh& mesh) {
-  std::vector<Index> faces(mesh.positions.size(), invalid_index);
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    for (const Index v : mesh.faces[f]) faces[v] = f;
-  }
-  return faces;
-}
-
 /// A face of another mesh that may be near to each face. \param vertex_map vertices → vertices of the other mesh
 std::vector<Index> hints_by(std::span<const Index> vertex_map, const IndexedMesh& mesh, const IndexedMesh& other) {
-  const std::vector<Index> at_vertices = faces_at_vertices(other);
+  const std::vector<Index> at_vertices = face_at_each_vertex(other.faces, other.positions.size());
   std::vector<Index> hints(mesh.faces.size(), invalid_index);
   for (std::size_t f = 0; f < hints.size(); ++f) {
     for (const Index v : mesh.faces[f]) {

@@ -69,6 +69,14 @@ NearFace TargetSurface::nearest(const Vec3& point, Index hint) const {
   return {closest.face, std::sqrt(closest.distance_sq)};
 }
 
+std::vector<Index> face_at_each_vertex(std::span<const Triangle> faces, std::size_t n_vertices) {
+  std::vector<Index> at(n_vertices, invalid_index);
+  for (Index f = 0; f < faces.size(); ++f) {
+    for (const Index v : faces[f]) at[v] = f;
+  }
+  return at;
+}
+
 namespace {
 
 /// Height over length below which rounding may move the closest point to another side.

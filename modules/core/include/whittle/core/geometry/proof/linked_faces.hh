@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "whittle/core/geometry/triangle.hh"
 
@@ -24,6 +25,9 @@ struct LinkedFaces {
   double offset(Index face) const { return offsets.empty() ? 0 : offsets[face]; }
   Corners corners(Index face) const { return corners_of(positions, faces[face]); }
 };
+
+/// A face at each vertex, or `invalid_index`.
+std::vector<Index> face_at_each_vertex(std::span<const Triangle> faces, std::size_t n_vertices);
 
 /// A face near a point.
 struct NearFace {
