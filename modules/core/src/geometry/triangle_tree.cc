@@ -9,8 +9,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/core/geometry/box.hh"
@@ -25,22 +27,53 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int n_bins = 16;
 constexpr double most_extent = 1e70;
 
-double half_surface(const Box& box) {
-  const Vec3 side = box.max() - box.min();
+float half_surface(const FloatBox& box) {
+  const Eigen::Vector3f side = box.max() - box.min();
   return side.x() * side.y() + side.y() * side.z() + side.z() * side.x();
 }
 
-Box box_of_face(const IndexedMesh& mesh, std::size_t face) {
-  return box_of(corners_of(mesh.positions, mesh.faces[face]));
+/// The corners by ascending vertex number.
+Triangle in_order(Triangle corners) {
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// A box of single precision around one of double precision whose coordinates are at most about 1.
+FloatBox float_box_around(const Box& box) {
+  constexpr float most_rounding = std::numeric_limits<float>::epsilon();  // twice what may be
+  constexpr float least = std::numeric_limits<float>::min();
+  const Eigen::Array3f low = box.min().cast<float>();
+  const Eigen::Array3f high = box.max().cast<float>();
+  return {low - (most_rounding * low.abs() + least), high + (most_rounding * high.abs() + least)};
 }
 
 }  // namespace
 
+/// Boxes around faces, and around the sums of the two ends of each box: twice their centres.
+struct TriangleTree::Bounds {
+  FloatBox box;
+  FloatBox twice_centers;
+
+  void add(const FloatBox& of_face) {
+    box.extend(of_face);
+    twice_centers.extend(of_face.min() + of_face.max());
+  }
+  void add(const Bounds& other) {
+    box.extend(other.box);
+    twice_centers.extend(other.twice_centers);
+  }
+};
+
 struct TriangleTree::Reference {
-  Box box;
+  FloatBox box;
   Index face;
 
-  double twice_center(Eigen::Index axis) const { return box.min()[axis] + box.max()[axis]; }
+  float twice_center(Eigen::Index axis) const { return box.min()[axis] + box.max()[axis]; }
+};
+
+struct TriangleTree::Parts {
+  std::size_t n_left;
+  Bounds left, right;
 };
 
 TriangleTree::TriangleTree(const IndexedMesh& mesh) : TriangleTree(mesh, center_of(bounds_of(mesh))) {}
@@ -50,132 +83,142 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::
   const Box box = bounds_of(mesh);
   if (box.sizes().maxCoeff() > most_extent) throw std::invalid_argument("mesh is larger than 1e70; scale it");
   if (!origin.allFinite()) throw std::invalid_argument("origin of the hierarchy is not finite");
+  const double farthest = (box.min() - origin).cwiseAbs().cwiseMax((box.max() - origin).cwiseAbs()).maxCoeff();
+  if (farthest > 0) unit_ = std::exp2(std::ilogb(farthest) + 1);
   const std::size_t n = mesh.faces.size();
   std::vector<Reference> references(n);
+  Bounds bounds;
   for (std::size_t f = 0; f < n; ++f) {
-    const Box of_face = box_of_face(mesh, f);
-    references[f] = {{of_face.min() - origin, of_face.max() - origin}, static_cast<Index>(f)};
+    const Box of_face = box_of(corners_of(mesh.positions, mesh.faces[f]));
+    const FloatBox inner = float_box_around({in_units(of_face.min() - origin), in_units(of_face.max() - origin)});
+    references[f] = {inner, static_cast<Index>(f)};
+    bounds.add(inner);
   }
-  const auto check = [meter] {
-    if (meter != nullptr) meter->update(0);
-  };
-  check();
+  if (meter != nullptr) meter->update(0);
   nodes_.reserve(n);
   nodes_.resize(1);
-  build(0, references, 0, static_cast<std::uint32_t>(n), 0, meter);
-  check();
-  slots_.reserve(n);
-  slot_of_face_.resize(n);
-  for (const Reference& reference : references) {
-    slot_of_face_[reference.face] = static_cast<std::uint32_t>(slots_.size());
-    slots_.push_back(slot_of(mesh, reference.face, origin));
-    if (slots_.size() % (1U << 16) == 0) check();
-  }
+  build(0, references, 0, bounds, 0, meter);
+  nodes_.shrink_to_fit();
+  list_slots(mesh, references, meter);
 }
 
-double TriangleTree::length_sq(const Vec3& v) { return (v.x() * v.x() + v.y() * v.y()) + v.z() * v.z(); }
+void TriangleTree::list_slots(const IndexedMesh& mesh, std::span<const Reference> references,
+                              detail::ProgressMeter* meter) {
+  slots_.reserve(references.size());
+  slot_of_face_.resize(references.size());
+  std::vector<Index> new_numbers(mesh.positions.size(), invalid_index);
+  for (const Reference& reference : references) {
+    if (slots_.size() % (1U << 16) == 0 && meter != nullptr) meter->update(0);
+    slot_of_face_[reference.face] = static_cast<std::uint32_t>(slots_.size());
+    Triangle corners = in_order(mesh.faces[reference.face]);
+    for (Index& v : corners) {
+      Index& number = new_numbers[v];
+      if (number == invalid_index) {
+        number = static_cast<Index>(positions_.size());
+        positions_.emplace_back(mesh.positions[v] - origin_);
+      }
+      v = number;
+    }
+    slots_.push_back({corners, reference.face});
+  }
+  positions_.shrink_to_fit();
+}
 
 double TriangleTree::distance_sq_to_box(const Vec3& point, const Box& box) {
   return length_sq((box.min() - point).cwiseMax(point - box.max()).cwiseMax(0.0));
 }
 
-TriangleTree::Slot TriangleTree::slot_of(const IndexedMesh& mesh, Index face, const Vec3& origin) {
-  Triangle corners = mesh.faces[face];
-  std::sort(corners.begin(), corners.end());
-  const Vec3 a = mesh.positions[corners[0]] - origin;
-  const Vec3 b = mesh.positions[corners[1]] - origin;
-  const Vec3 c = mesh.positions[corners[2]] - origin;
-  return {a, b, c, trusted_normal(a, b, c), face};
-}
-
-void TriangleTree::build(std::uint32_t node, std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
+/// \param first number of the first slot
+void TriangleTree::build(std::uint32_t node, std::span<Reference> references, std::uint32_t first, const Bounds& bounds,
                          std::size_t depth, detail::ProgressMeter* meter) {
-  constexpr std::uint32_t large = 4096;  // takes about a millisecond
-  if (meter != nullptr && end - begin >= large) meter->update(begin / static_cast<double>(references.size()));
-  Box box, centers;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    box.extend(references[i].box);
-    centers.extend(references[i].box.min() + references[i].box.max());
-  }
-  nodes_[node].box = box;
-  if (end - begin <= max_leaf) {
-    nodes_[node].first = begin;
-    nodes_[node].count = end - begin;
+  constexpr std::size_t large = 4096;  // takes about a millisecond
+  if (meter != nullptr && references.size() >= large) meter->update(first / static_cast<double>(slots_.capacity()));
+  nodes_[node].box = bounds.box;
+  if (references.size() <= max_leaf) {
+    nodes_[node].first = first;
+    nodes_[node].count = static_cast<std::uint32_t>(references.size());
     return;
   }
-  const std::uint32_t middle = split(references, begin, end, centers, depth);
+  const auto [n_left, left, right] = split(references, bounds.twice_centers, depth);
   const auto child = static_cast<std::uint32_t>(nodes_.size());
   nodes_.resize(child + 2);
   nodes_[node].first = child;
-  build(child, references, begin, middle, depth + 1, meter);
-  build(child + 1, references, middle, end, depth + 1, meter);
+  build(child, references.first(n_left), first, left, depth + 1, meter);
+  build(child + 1, references.subspan(n_left), first + static_cast<std::uint32_t>(n_left), right, depth + 1, meter);
 }
 
-std::uint32_t TriangleTree::split(std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
-                                  const Box& centers, std::size_t depth) {
+/// Divides the references between the two children.
+TriangleTree::Parts TriangleTree::split(std::span<Reference> references, const FloatBox& centers, std::size_t depth) {
   Eigen::Index axis = 0;
-  const double width = (centers.max() - centers.min()).maxCoeff(&axis);
-  const auto at = [&](std::uint32_t i) { return references.begin() + i; };
+  const float width = (centers.max() - centers.min()).maxCoeff(&axis);
   const auto halve = [&] {
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    std::nth_element(at(begin), at(middle), at(end), [axis](const Reference& left, const Reference& right) {
-      const double l = left.twice_center(axis), r = right.twice_center(axis);
-      return l != r ? l < r : left.face < right.face;
+    Parts halves{references.size() / 2, {}, {}};
+    const auto middle = references.begin() + static_cast<std::ptrdiff_t>(halves.n_left);
+    std::nth_element(references.begin(), middle, references.end(), [axis](const Reference& l, const Reference& r) {
+      return std::pair(l.twice_center(axis), l.face) < std::pair(r.twice_center(axis), r.face);
     });
-    return middle;
+    for (const Reference& reference : references.first(halves.n_left)) halves.left.add(reference.box);
+    for (const Reference& reference : references.subspan(halves.n_left)) halves.right.add(reference.box);
+    return halves;
   };
-  const double per_width = n_bins / width;
-  if (depth >= max_heuristic_depth || !(per_width < infinity)) return halve();
+  const float per_width = n_bins / width;
+  if (depth >= max_heuristic_depth || !std::isfinite(per_width)) return halve();
 
   struct Bin {
-    Box box;
+    Bounds bounds;
     std::uint32_t count = 0;
     void add(const Bin& other) {
-      box.extend(other.box);
+      bounds.add(other.bounds);
       count += other.count;
     }
-    double cost() const { return count > 0 ? count * half_surface(box) : 0.0; }
+    float cost() const { return count > 0 ? static_cast<float>(count) * half_surface(bounds.box) : 0; }
   };
   const auto bin_of = [&](const Reference& reference) {
-    return std::clamp(static_cast<int>((reference.twice_center(axis) - centers.min()[axis]) * per_width), 0,
-                      n_bins - 1);
+    const float at = (reference.twice_center(axis) - centers.min()[axis]) * per_width;
+    return std::clamp(static_cast<int>(at), 0, n_bins - 1);
   };
   std::array<Bin, n_bins> bins;
-  for (std::uint32_t i = begin; i < end; ++i)
-    bins[static_cast<std::size_t>(bin_of(references[i]))].add({references[i].box, 1});
+  for (const Reference& reference : references) {
+    Bin& bin = bins[static_cast<std::size_t>(bin_of(reference))];
+    bin.bounds.add(reference.box);
+    ++bin.count;
+  }
 
-  std::array<double, n_bins> right_cost{};
+  std::array<Bin, n_bins> from_right;
   Bin right;
   for (std::size_t k = n_bins - 1; k > 0; --k) {
     right.add(bins[k]);
-    right_cost[k] = right.cost();
+    from_right[k] = right;
   }
   Bin left;
-  double best_cost = infinity;
+  float best_cost = std::numeric_limits<float>::infinity();
   int best = 0;
+  Parts parts{};
   for (std::size_t k = 1; k < n_bins; ++k) {
     left.add(bins[k - 1]);
-    const double cost = left.cost() + right_cost[k];
-    if (left.count > 0 && left.count < end - begin && cost < best_cost) {
-      best_cost = cost;
-      best = static_cast<int>(k);
-    }
+    const float cost = left.cost() + from_right[k].cost();
+    if (left.count == 0 || left.count == references.size() || !(cost < best_cost)) continue;
+    best_cost = cost;
+    best = static_cast<int>(k);
+    parts = {left.count, left.bounds, from_right[k].bounds};
   }
   if (best == 0) return halve();
-  const auto middle =
-      std::partition(at(begin), at(end), [&](const Reference& reference) { return bin_of(reference) < best; });
-  return static_cast<std::uint32_t>(middle - references.begin());
+  std::partition(references.begin(), references.end(),
+                 [&](const Reference& reference) { return bin_of(reference) < best; });
+  return parts;
 }
 
-Vec3 TriangleTree::nearest_in(const Slot& slot, const Vec3& point) {
-  const Vec3 from_a = point - slot.a, from_b = point - slot.b;
-  const bool flat = slot.normal.isZero(0.0);
-  const bool outside_ab = flat || slot.normal.dot((slot.b - slot.a).cross(from_a)) < 0.0;
-  const bool outside_bc = flat || slot.normal.dot((slot.c - slot.b).cross(from_b)) < 0.0;
-  const bool outside_ca = flat || slot.normal.dot((slot.a - slot.c).cross(from_a)) < 0.0;
+Vec3 TriangleTree::nearest_in(const Corners& corners, const Vec3& point) {
+  const auto& [a, b, c] = corners;
+  const Vec3 normal = trusted_normal(a, b, c);
+  const Vec3 from_a = point - a, from_b = point - b;
+  const bool flat = normal.isZero(0.0);
+  const bool outside_ab = flat || normal.dot((b - a).cross(from_a)) < 0.0;
+  const bool outside_bc = flat || normal.dot((c - b).cross(from_b)) < 0.0;
+  const bool outside_ca = flat || normal.dot((a - c).cross(from_a)) < 0.0;
   Vec3 nearest;
   if (!outside_ab && !outside_bc && !outside_ca) {
-    nearest = point - (slot.normal.dot(from_a) / slot.normal.squaredNorm()) * slot.normal;
+    nearest = point - (normal.dot(from_a) / normal.squaredNorm()) * normal;
   } else {
     double best_sq = infinity;
     const auto consider = [&](const Vec3& from, const Vec3& to) {
@@ -186,13 +229,13 @@ Vec3 TriangleTree::nearest_in(const Slot& slot, const Vec3& point) {
         nearest = candidate;
       }
     };
-    if (outside_ab) consider(slot.a, slot.b);
-    if (outside_bc) consider(slot.b, slot.c);
-    if (outside_ca) consider(slot.a, slot.c);
+    if (outside_ab) consider(a, b);
+    if (outside_bc) consider(b, c);
+    if (outside_ca) consider(a, c);
   }
   // Inside the face's own box, its distance can't round to less than that of any box around the face. So the search
   // finds the nearest face in any order.
-  return nearest.cwiseMax(slot.a.cwiseMin(slot.b).cwiseMin(slot.c)).cwiseMin(slot.a.cwiseMax(slot.b).cwiseMax(slot.c));
+  return nearest.cwiseMax(a.cwiseMin(b).cwiseMin(c)).cwiseMin(a.cwiseMax(b).cwiseMax(c));
 }
 
 ClosestPoint TriangleTree::nearest(const Vec3& point, Index hint) const {
@@ -202,10 +245,13 @@ ClosestPoint TriangleTree::nearest(const Vec3& point, Index hint) const {
 }
 
 ClosestPoint TriangleTree::nearest_local(const Vec3& offset, Index hint) const {
+  const Vec3 point = in_units(offset);
   ClosestPoint best;
   best.distance_sq = infinity;
   const auto consider = [&](const Slot& slot) {
-    const Vec3 candidate = nearest_in(slot, offset);
+    const Corners corners = this->corners(slot);
+    if (distance_sq_to_box(offset, box_of(corners)) > best.distance_sq) return;
+    const Vec3 candidate = nearest_in(corners, offset);
     const double distance_sq = length_sq(offset - candidate);
     if (distance_sq < best.distance_sq || (distance_sq == best.distance_sq && slot.face < best.face)) {
       best = {slot.face, candidate, distance_sq};
@@ -217,17 +263,18 @@ ClosestPoint TriangleTree::nearest_local(const Vec3& offset, Index hint) const {
     std::uint32_t node;
     double distance_sq;
   };
+  const auto entry = [&](std::uint32_t node) { return Entry{node, unit_sq() * nodes_[node].distance_sq(point)}; };
   std::array<Entry, max_depth + 2> stack;
   std::size_t size = 0;
-  stack[size++] = {0, distance_sq_to_box(offset, nodes_[0].box)};
+  stack[size++] = entry(0);
   while (size > 0) {
-    const Entry entry = stack[--size];
-    if (entry.distance_sq > best.distance_sq) continue;
-    const Node& node = nodes_[entry.node];
+    const auto [number, distance_sq] = stack[--size];
+    if (distance_sq > best.distance_sq) continue;
+    const Node& node = nodes_[number];
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) consider(slots_[i]);
     if (node.count > 0) continue;
-    Entry near{node.first, distance_sq_to_box(offset, nodes_[node.first].box)};
-    Entry far{node.first + 1, distance_sq_to_box(offset, nodes_[node.first + 1].box)};
+    Entry near = entry(node.first);
+    Entry far = entry(node.first + 1);
     if (far.distance_sq < near.distance_sq) std::swap(near, far);
     if (far.distance_sq <= best.distance_sq) stack[size++] = far;
     if (near.distance_sq <= best.distance_sq) stack[size++] = near;
@@ -239,8 +286,9 @@ ClosestPoint TriangleTree::nearest_without_tree(const IndexedMesh& mesh, const V
   ClosestPoint best;
   best.distance_sq = infinity;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    if (distance_sq_to_box(point, box_of_face(mesh, f)) > best.distance_sq) continue;
-    const Vec3 candidate = nearest_in(slot_of(mesh, f, Vec3::Zero()), point);
+    const Corners corners = corners_of(mesh.positions, in_order(mesh.faces[f]));
+    if (distance_sq_to_box(point, box_of(corners)) > best.distance_sq) continue;
+    const Vec3 candidate = nearest_in(corners, point);
     const double distance_sq = length_sq(point - candidate);
     if (distance_sq < best.distance_sq) best = {f, candidate, distance_sq};
   }
@@ -251,8 +299,9 @@ TriangleTree::OffsetFace TriangleTree::nearest_without_tree(const IndexedMesh& m
                                                             const Vec3& point) {
   OffsetFace best{invalid_index, infinity};
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    if (std::sqrt(distance_sq_to_box(point, box_of_face(mesh, f))) + offsets[f] > best.distance) continue;
-    const Vec3 candidate = nearest_in(slot_of(mesh, f, Vec3::Zero()), point);
+    const Corners corners = corners_of(mesh.positions, in_order(mesh.faces[f]));
+    if (std::sqrt(distance_sq_to_box(point, box_of(corners))) + offsets[f] > best.distance) continue;
+    const Vec3 candidate = nearest_in(corners, point);
     const double distance = std::sqrt(length_sq(point - candidate)) + offsets[f];
     if (distance < best.distance) best = {f, distance};
   }
@@ -272,10 +321,14 @@ void TriangleTree::set_offsets(std::vector<double> offsets) {
   }
 }
 
-TriangleTree::OffsetFace TriangleTree::nearest_by_offsets(const Vec3& point, Index hint) const {
+TriangleTree::OffsetFace TriangleTree::nearest_by_offsets(const Vec3& offset, Index hint) const {
+  const Vec3 point = in_units(offset);
   OffsetFace best{invalid_index, infinity};
   const auto consider = [&](const Slot& slot) {
-    const double distance = std::sqrt(length_sq(point - nearest_in(slot, point))) + offsets_[slot.face];
+    const Corners corners = this->corners(slot);
+    const double of_face = offsets_[slot.face];
+    if (std::sqrt(distance_sq_to_box(offset, box_of(corners))) + of_face > best.distance) return;
+    const double distance = std::sqrt(length_sq(offset - nearest_in(corners, offset))) + of_face;
     if (distance < best.distance || (distance == best.distance && slot.face < best.face)) best = {slot.face, distance};
   };
   if (hint < slot_of_face_.size()) consider(slots_[slot_of_face_[hint]]);
@@ -285,7 +338,7 @@ TriangleTree::OffsetFace TriangleTree::nearest_by_offsets(const Vec3& point, Ind
     double distance;
   };
   const auto entry = [&](std::uint32_t node) {
-    return Entry{node, std::sqrt(distance_sq_to_box(point, nodes_[node].box)) + least_offsets_[node]};
+    return Entry{node, unit_ * std::sqrt(nodes_[node].distance_sq(point)) + least_offsets_[node]};
   };
   std::array<Entry, max_depth + 2> stack;
   std::size_t size = 0;
