@@ -9,6 +9,7 @@
 
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
+#include "whittle/core/geometry/proof/border_edges.hh"
 
 namespace whittle::test {
 namespace {
@@ -90,6 +91,29 @@ TEST(BorderEdges, AreTheEdgesWithOneSide) {
       if (sides.size() == 1) expected.push_back(ends);
     }
     EXPECT_EQ(border_edges(mesh.faces, mesh.positions.size()), expected);
+  }
+}
+
+TEST(BorderEdges, AreSegmentsWithTheirFaces) {
+  for (const auto& [name, mesh] : meshes()) {
+    SCOPED_TRACE(name);
+    std::vector<Index> sides;
+    for (const auto& [ends, of_edge] : counted(mesh)) {
+      if (of_edge.size() == 1) sides.push_back(of_edge[0]);
+    }
+    std::sort(sides.begin(), sides.end());
+    BorderEdges expected;
+    if (!sides.empty()) expected.mesh.positions = mesh.positions;
+    for (const Index side : sides) {
+      const Triangle& face = mesh.faces[side / 3];
+      const Index to = face[(side + 1) % 3];
+      expected.mesh.faces.push_back({face[side % 3], to, to});
+      expected.faces.push_back(side / 3);
+    }
+    const BorderEdges found = border_edges_of(mesh);
+    EXPECT_EQ(found.mesh.positions, expected.mesh.positions);
+    EXPECT_EQ(found.mesh.faces, expected.mesh.faces);
+    EXPECT_EQ(found.faces, expected.faces);
   }
 }
 

@@ -86,7 +86,7 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::
   const double farthest = (box.min() - origin).cwiseAbs().cwiseMax((box.max() - origin).cwiseAbs()).maxCoeff();
   if (farthest > 0) unit_ = std::exp2(std::ilogb(farthest) + 1);
   const std::size_t n = mesh.faces.size();
-  std::vector<Reference> references(n);
+  LargeArray<Reference> references(n);
   Bounds bounds;
   for (std::size_t f = 0; f < n; ++f) {
     const Box of_face = box_of(corners_of(mesh.positions, mesh.faces[f]));

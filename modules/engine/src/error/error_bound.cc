@@ -4,7 +4,6 @@
 #include <atomic>
 #include <utility>
 
-#include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/proof/face_limits.hh"
 #include "whittle/core/geometry/proof/prover.hh"
@@ -24,19 +23,22 @@ std::size_t n_blocks_of(std::size_t n) { return (n + faces_per_block(n) - 1) / f
 /// Pieces of a face that are looked at before it counts as far: long thin faces take as many as their length has E.
 constexpr int most_pieces = 1 << 16;
 
-/// Calls `use(a, b)` with the ends of each edge, once: edges of triangles, and segments.
+/// Calls `use(a, b)` with the ends of each edge: edges of triangles, of two faces once, and segments.
 template <class Use>
-void for_each_edge(const IndexedMesh& mesh, const Use& use) {
-  const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
-  for (std::size_t e = 0; e < edges.size(); ++e) use(edges[e].a, edges[e].b);
-  for (const auto& [a, b, c] : mesh.faces) {
-    if (b == c) use(a, b);
+void for_each_edge(const LinkedFaces& surface, const Use& use) {
+  for (Index f = 0; f < surface.faces.size(); ++f) {
+    const Triangle& face = surface.faces[f];
+    const bool is_segment = face[1] == face[2];
+    for (std::size_t i = 0; i < (is_segment ? 1 : 3); ++i) {
+      const Index other = surface.beyond[f][i];
+      if (other == invalid_index || f < other) use(face[i], face[(i + 1) % 3]);
+    }
   }
 }
 
-detail::IndexLists<Index> neighbours_in(const IndexedMesh& mesh) {
-  return {mesh.positions.size(), [&](const auto& emit) {
-            for_each_edge(mesh, [&emit](Index a, Index b) {
+detail::IndexLists<Index> neighbours_in(const LinkedFaces& surface) {
+  return {surface.positions.size(), [&](const auto& emit) {
+            for_each_edge(surface, [&emit](Index a, Index b) {
               emit(a, b);
               emit(b, a);
             });
@@ -108,7 +110,7 @@ ErrorBound::ErrorBound(const IndexedMesh& input, const Frame& frame, double limi
       threads_(threads),
       points_(input_.faces().positions.begin(), input_.faces().positions.end()),
       point_limits_(limits_at_vertices(input, limits_, limit)),
-      neighbours_(neighbours_in(input)),
+      neighbours_(neighbours_in(input_.faces())),
       faces_at_(face_at_each_vertex(input.faces, input.positions.size())) {
   input_.build_tree(nullptr);
 }

@@ -19,8 +19,8 @@ IndexedMesh in_frame(const IndexedMesh& mesh, const Frame& frame) {
   return result;
 }
 
-std::vector<FacesBeyond> faces_beyond(const IndexedMesh& mesh) {
-  std::vector<FacesBeyond> beyond(mesh.faces.size(), {invalid_index, invalid_index, invalid_index});
+LargeArray<FacesBeyond> faces_beyond(const IndexedMesh& mesh) {
+  LargeArray<FacesBeyond> beyond(mesh.faces.size(), {invalid_index, invalid_index, invalid_index});
   const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const std::span<const Index> sides = edges.sides(e);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "whittle/core/detail/large_array.hh"
 #include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/indexed_mesh.hh"
@@ -116,10 +117,10 @@ class TriangleTree {
 
   Vec3 origin_;
   double unit_ = 1;  ///< A power of two, at least as large as all offsets from the origin.
-  std::vector<Node> nodes_;
-  std::vector<Slot> slots_;
-  std::vector<Vec3> positions_;  ///< Relative to the origin, in the order in which slots use them.
-  std::vector<std::uint32_t> slot_of_face_;
+  LargeArray<Node> nodes_;
+  LargeArray<Slot> slots_;
+  LargeArray<Vec3> positions_;  ///< Relative to the origin, in the order in which slots use them.
+  LargeArray<std::uint32_t> slot_of_face_;
   std::vector<double> offsets_;        ///< Of each face, model units; or empty.
   std::vector<double> least_offsets_;  ///< Of the faces in each node.
 };

@@ -8,7 +8,7 @@ namespace whittle {
 
 /// The open borders of a mesh as degenerate triangles: each is the segment between its first two corners.
 struct BorderEdges {
-  IndexedMesh mesh;          ///< has all vertices of the mesh
+  IndexedMesh mesh;          ///< has all vertices of the mesh; empty if the mesh has no border
   std::vector<Index> faces;  ///< per edge, its face in the mesh
 };
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "whittle/core/detail/large_array.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/proof/linked_faces.hh"
 #include "whittle/core/geometry/triangle_tree.hh"
@@ -32,7 +33,7 @@ class TargetSurface final : public ProofTarget {
   NearFace nearest_without_tree(const Vec3& point) const;
 
   IndexedMesh in_frame_;
-  std::vector<FacesBeyond> beyond_;
+  LargeArray<FacesBeyond> beyond_;
   std::vector<double> offsets_;
   mutable std::atomic<int> n_without_tree_{0};  ///< number of searches without the tree
   mutable std::atomic<bool> has_tree_{false};
