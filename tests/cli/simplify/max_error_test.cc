@@ -125,6 +125,19 @@ TEST(MaxErrorOption, WritesNothingThatIsNotProven) {
   EXPECT_EQ(whittle({"simplify", input, "-o", output, "-e", "0.01", "--ascii"}).exit_code, 0);
 }
 
+TEST(MaxErrorOption, SaysIfBordersStandInTheWay) {
+  const TemporaryFolder folder;
+  IndexedMesh far = terrain(16, 1);
+  for (Vec3& p : far.positions) p = 100.3 * p + Vec3(1e6, 0, 0);
+  const std::string input = folder / "far.ply";
+  io::write_mesh(input, far);
+  const std::string output = folder / "out.stl";
+  const Outcome run = whittle({"simplify", input, "-o", output, "-e", "1", "--max-error-borders", "0.001"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find(" off as it is read again; choose a larger --max-error-borders"), std::string::npos) << run;
+  EXPECT_EQ(whittle({"simplify", input, "-o", output, "-e", "1", "--max-error-borders", "0.2"}).exit_code, 0);
+}
+
 /// Tolerances of vertices don't hide that not even the input is proven.
 TEST(MaxErrorOption, WritesNothingThatIsNotProvenInPlaces) {
   const TemporaryFolder folder;

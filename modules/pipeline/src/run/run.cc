@@ -1,6 +1,7 @@
 #include "whittle/pipeline/run.hh"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -77,16 +78,26 @@ Simplification uncontracted(const Plan& plan, const RunObserver& observer) {
   return result;
 }
 
+double at_least(const metrics::LargestDistances& distances) {
+  return std::max(distances.forward.at_least, distances.backward.at_least);
+}
+
+/// What stands in the way of a limit that not even the scene itself keeps.
+std::string why_not_uncontracted(const Plan& plan, const DistancesAsWritten& distances) {
+  if (const double off = at_least(distances.surface); off > *plan.target.error_limit()) {
+    return "rounding moves them by " + significant(off) +
+           "; choose a larger --max-error, or a format that keeps every digit";
+  }
+  const double off = distances.borders ? at_least(*distances.borders) : 0;
+  if (off <= *plan.target.border_error_limit()) return "choose a larger --max-error";
+  return "open borders are " + (std::isfinite(off) ? significant(off) + " off" : std::string("gone, or new,")) +
+         " as it is read again; choose a larger --max-error-borders";
+}
+
 std::string why_not_within(const Plan& plan, const Outcome& outcome) {
-  const double limit = *plan.target.error_limit();
-  const double at_least = outcome.distances ? std::max(outcome.distances->surface.forward.at_least,
-                                                       outcome.distances->surface.backward.at_least)
-                                            : 0;
-  return plan.scene.name + ": an error of " + shortest(limit) + " at most can't be proven as " +
+  return plan.scene.name + ": an error of " + shortest(*plan.target.error_limit()) + " at most can't be proven as " +
          name_of(plan.request.output) + " would be written, not even of all faces of the input; " +
-         (at_least > limit ? "rounding moves them by " + significant(at_least) +
-                                 "; choose a larger --max-error, or a format that keeps every digit"
-                           : "choose a larger --max-error");
+         (outcome.distances ? why_not_uncontracted(plan, *outcome.distances) : "choose a larger --max-error");
 }
 
 /// Keeps to the largest error as the result is written: if rounding takes it over that, tries again with less. The
