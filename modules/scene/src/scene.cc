@@ -10,6 +10,8 @@ namespace whittle {
 
 bool keeps_meshes(const Scene& scene) { return scene.document && scene.document->scope() == SceneScope::meshes; }
 
+double widest_stretch(const Scene& scene) { return keeps_meshes(scene) ? scene.document->widest_stretch() : 1; }
+
 std::vector<std::uint8_t> held_borders(const Scene& scene, const IndexedMesh& mesh, unsigned threads,
                                        std::vector<std::string>& warnings) {
   if (!keeps_meshes(scene)) return {};

@@ -132,8 +132,10 @@ Plan plan(Scene scene, const Request& request) {
     check_regions(request.simplify.decimate.regions, plan.scene);
     prune(plan);
   }
+  if (plan.has_faces() && request.proves()) plan.stretch = widest_stretch(plan.scene);
   std::vector<std::uint8_t> held = held_borders(plan.scene, plan.scene.read.mesh, plan.threads(), plan.warnings);
   std::vector<double> tolerances = tolerances_of(plan);
+  for (double& tolerance : tolerances) tolerance /= plan.stretch;
   settle_options(plan);
   plan.options.decimate.locked = std::move(held);
   plan.options.decimate.tolerances = std::move(tolerances);

@@ -98,11 +98,12 @@ std::vector<Level> levels_of(const Scene& scene, const LevelTargets& targets, Ef
       levels.push_back({std::move(level), std::nullopt});
     }
   } else {
-    for (progressive::ProvenLevel& level :
-         progressive::levels_within(mesh, errors_of(targets, scene), effort, options, to_file)) {
-      const double error = level.error;
-      levels.push_back({std::move(level), error});
-    }
+    const std::vector<double> errors = errors_of(targets, scene);
+    std::vector<double> limits = errors;
+    const double stretch = widest_stretch(scene);
+    for (double& limit : limits) limit /= stretch;
+    std::vector<progressive::ProvenLevel> proven = progressive::levels_within(mesh, limits, effort, options, to_file);
+    for (std::size_t i = 0; i < proven.size(); ++i) levels.push_back({std::move(proven[i]), errors[i]});
   }
   return levels;
 }

@@ -16,10 +16,22 @@ constexpr double no_limit = std::numeric_limits<double>::infinity();
 /// Of the largest distances.
 constexpr double accuracy = 1e-3;
 
-/// Points of the file are at most this far from those of what was looked at.
-void add_gap(double gap, metrics::LargestDistances& distances) {
-  distances.forward.at_most += gap;
-  distances.backward.at_most += gap;
+/// How much longer than in what was looked at distances can be in the scene as it is shown.
+struct Slack {
+  double stretch = 1;  ///< `Plan::stretch`
+  double gap = 0;      ///< the file may have a vertex several times, and not quite at one place
+
+  void add_to(metrics::LargestDistances& distances) const {
+    for (double* bound : {&distances.forward.at_most, &distances.backward.at_most}) *bound = stretch * (*bound + gap);
+  }
+  double within(double limit) const {
+    const bool is_any = stretch > 1 || gap > 0;
+    return is_any ? std::max(0.0, limit / stretch * (1 - 1e-12) - gap) : limit;
+  }
+};
+
+Slack slack_of(const Plan& plan, const Decimation& result) {
+  return {plan.stretch, widest_gap_as_written(plan.request.output, plan.scene, result.mesh)};
 }
 
 bool keeps_tolerances(const Plan& plan, const DistancesAsWritten& distances) {
@@ -41,18 +53,16 @@ std::optional<DistancesAsWritten> distances_as_written(const Plan& plan, const D
   const unsigned threads = plan.threads();
   DistancesAsWritten distances;
   distances.written = as_written(plan.request.output, plan.scene, result.mesh, plan.request.reading);
-  // The file may have a vertex several times, and not quite at one place.
-  const double gap = widest_gap_as_written(plan.request.output, plan.scene, result.mesh);
-  const auto without_gap = [gap](double limit) { return gap > 0 ? std::max(0.0, limit * (1 - 1e-12) - gap) : limit; };
+  const Slack slack = slack_of(plan, result);
   if (distances.written.positions.size() == result.mesh.positions.size()) distances.vertex_map = result.vertex_map;
   distances.surface = metrics::largest_distances(
       input, distances.written, accuracy,
-      {threads, observed(observer, "certifying", 0, 0.9), without_gap(target.error_limit().value_or(no_limit))});
-  distances.borders = metrics::largest_border_distances(
-      input, distances.written, accuracy,
-      {threads, observed(observer, "certifying", 0.9, 1), without_gap(target.border_error_limit().value_or(no_limit))});
-  add_gap(gap, distances.surface);
-  if (distances.borders) add_gap(gap, *distances.borders);
+      {threads, observed(observer, "certifying", 0, 0.9), slack.within(target.error_limit().value_or(no_limit))});
+  distances.borders = metrics::largest_border_distances(input, distances.written, accuracy,
+                                                        {threads, observed(observer, "certifying", 0.9, 1),
+                                                         slack.within(target.border_error_limit().value_or(no_limit))});
+  slack.add_to(distances.surface);
+  if (distances.borders) slack.add_to(*distances.borders);
   return distances;
 }
 

@@ -103,8 +103,8 @@ std::string why_not_within(const Plan& plan, const Outcome& outcome) {
 /// Keeps to the largest error as the result is written: if rounding takes it over that, tries again with less. The
 /// scene itself is the last that is tried.
 void simplify_within_error(const Plan& plan, const RunObserver& observer, Outcome& outcome) {
-  const double limit = *plan.target.error_limit();
-  const double border_limit = *plan.target.border_error_limit();
+  const double limit = *plan.target.error_limit() / plan.stretch;
+  const double border_limit = *plan.target.border_error_limit() / plan.stretch;
   for (const double share : {1 - 1e-6, 0.99, 0.9, 0.5}) {
     SimplifyOptions options = plan.options;
     for (double& tolerance : options.decimate.tolerances) tolerance *= share;
@@ -117,7 +117,7 @@ void simplify_within_error(const Plan& plan, const RunObserver& observer, Outcom
 
 void simplify_without_limit(const Plan& plan, const RunObserver& observer, Outcome& outcome) {
   take(simplify_to(plan, plan.target, plan.options, observer), outcome);
-  if (!plan.request.certify && !plan.request.makes_certificate) return;
+  if (!plan.request.proves()) return;
   const Stopwatch watch;
   outcome.distances = distances_as_written(plan, outcome.simplified, observer);
   outcome.seconds.certify = watch.seconds();

@@ -331,6 +331,18 @@ double GltfFile::widest_gap_as_written(const IndexedMesh& mesh) const {
   return widest;
 }
 
+double GltfFile::widest_stretch() const {
+  double widest = 1;
+  for (const Part& part : parts_) {
+    for (const Eigen::Affine3d& place : places_of(part.mesh)) {
+      const Eigen::Matrix3d from_whole = place.linear() * part.place.linear().inverse();
+      if (!from_whole.allFinite()) continue;
+      widest = std::max(widest, Eigen::JacobiSVD<Eigen::Matrix3d>(from_whole).singularValues()[0]);
+    }
+  }
+  return widest;
+}
+
 /// The meshes for a file; vanished meshes become a point. \param level beginning of warnings
 std::vector<IndexedMesh> GltfFile::split_for_file(const IndexedMesh& mesh, const std::string& level,
                                                   std::vector<std::string>& warnings) const {

@@ -41,6 +41,7 @@ class GltfFile final : public SceneDocument {
   std::string left_out_of_one_mesh(const IndexedMesh& mesh) const override;
   std::vector<std::uint8_t> held_borders(const IndexedMesh& mesh, unsigned threads) const override;
   double widest_gap_as_written(const IndexedMesh& mesh) const override;
+  double widest_stretch() const override;
 
   /// Writes the file with its meshes replaced, and the files beside it (`gltf::Asset::files`). Nodes get coarser levels
   /// as levels of detail (`gltf::Asset::add_levels`).

@@ -34,6 +34,7 @@ struct Plan {
   std::vector<DecimateTarget> targets_per_mesh{};  ///< with `Request::is_per_mesh`; `target` is their sum then
   double diagonal = 0;                             ///< of the scene's bounding box, before it was pruned; model units
   std::size_t n_pruned_parts = 0;
+  double stretch = 1;                   ///< of lengths where the scene is shown (`widest_stretch`)
   std::vector<std::string> notes{};     ///< what was done with the scene: a line each, with its name in front
   std::vector<std::string> warnings{};  ///< likewise
 

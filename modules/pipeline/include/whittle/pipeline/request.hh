@@ -45,6 +45,8 @@ struct Request {
   SceneReadOptions reading;  ///< options with which the scene was read, and threads
   Decimater decimater{};     ///< replaces ours; or empty
 
+  /// Whether the largest distance is to be proven.
+  bool proves() const { return targets.max_error || certify || makes_certificate; }
   bool has_threshold() const { return threshold.is_automatic || threshold.length.value > 0; }
 };
 

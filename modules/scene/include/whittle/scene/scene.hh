@@ -34,6 +34,10 @@ struct Scene {
 /// Whether the document keeps its meshes separate, and simplified meshes replace them.
 bool keeps_meshes(const Scene& scene);
 
+/// How many times as long as in the scene's mesh a length can be where the scene is shown
+/// (`SceneDocument::widest_stretch`). 1 if the document doesn't keep its meshes.
+double widest_stretch(const Scene& scene);
+
 /// The vertices that must stay (`SceneDocument::held_borders`). Empty if the document doesn't keep its meshes.
 /// \param mesh the scene's mesh, or some of its faces
 /// \param threads 0 = all cores

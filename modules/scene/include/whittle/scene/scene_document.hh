@@ -56,6 +56,9 @@ class SceneDocument {
   /// Largest distance, after writing, between the positions of a vertex of several meshes: each is rounded in the
   /// coordinates of its mesh. \pre `SceneScope::meshes` was read
   virtual double widest_gap_as_written(const IndexedMesh& mesh) const = 0;
+  /// How many times as long as in the whole a length can be in the scene: 1, or more where a mesh is at several places
+  /// of different sizes. \pre `SceneScope::meshes` was read
+  virtual double widest_stretch() const = 0;
 };
 
 }  // namespace whittle
