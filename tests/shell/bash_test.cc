@@ -105,7 +105,7 @@ TEST(Bash, OffersTheWordsThatAnOptionTakes) {
   EXPECT_EQ(offered({"simplify", "--cost", "m"}), (Words{"memoryless", "midpoint"}));
   EXPECT_EQ(offered({"info", "--format", ""}), sorted(formats()));
   EXPECT_EQ(offered({"info", "--input-format", "g"}), (Words{"glb", "gltf"}));
-  EXPECT_EQ(offered({"verify", "--input-format", "g"}), Words()) << "reads no glTF";
+  EXPECT_EQ(offered({"compare", "--input-format", "g"}), Words()) << "reads no glTF";
   EXPECT_EQ(offered({"simplify", "-t", ""}), Words{"auto"});
   EXPECT_EQ(offered({"completion", ""}), (Words{"bash", "fish", "zsh"}));
   EXPECT_EQ(offered({"simplify", "--faces", ""}), Words());

@@ -200,7 +200,10 @@ void setup_verify(CLI::App& app, Command& command) {
                             "Examples:\n"
                             "  whittle simplify dragon.ply -o small.ply --max-error 0.1% --certificate small.proof\n"
                             "  whittle verify dragon.ply small.ply small.proof --max-error 0.1%"};
-  add_subcommand(app, text, VerifyCommand{}, verify_rows, run_verify, command);
+  VerifyCommand defaults;
+  defaults.files.reads_documents = true;
+  defaults.files.scope = SceneScope::scene;
+  add_subcommand(app, text, defaults, verify_rows, run_verify, command);
 }
 
 }  // namespace whittle::app

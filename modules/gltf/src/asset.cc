@@ -30,10 +30,10 @@
 
 namespace whittle::gltf {
 
-Output Asset::Content::output(const WriteOptions& options) const {
-  const bool compress = options.compress && !replacements.empty();
+Output Asset::Content::output(const Replacements& replaced, const WriteOptions& options) const {
+  const bool compress = options.compress && !replaced.empty();
   if (compress && !has_meshopt()) throw std::invalid_argument("this build can't compress: it has no meshoptimizer");
-  return make_output(model, document, replacements, compress);
+  return make_output(model, document, replaced, compress);
 }
 
 namespace {
@@ -305,12 +305,19 @@ std::vector<std::filesystem::path> Asset::buffer_files() const { return files_of
 std::string Asset::document() const { return content_->document.dump(); }
 
 std::string Asset::write_glb(const WriteOptions& options) const {
-  const Output output = content_->output(options);
+  const Output output = content_->output(content_->replacements, options);
   return join_glb(output.document.dump(), output.buffer);
 }
 
+Asset Asset::as_written(std::map<std::size_t, IndexedMesh> triangles, const WriteOptions& options) const {
+  for (const auto& [mesh, own] : triangles) check_replacement(content_->model, mesh, own);
+  triangles.insert(content_->replacements.begin(), content_->replacements.end());
+  const Output output = content_->output(triangles, options);
+  return read(join_glb(output.document.dump(), output.buffer), content_->model.file);
+}
+
 GltfText Asset::write_gltf(const std::string& buffer_uri, const WriteOptions& options) const {
-  Output output = content_->output(options);
+  Output output = content_->output(content_->replacements, options);
   GltfText text;
   if (!output.buffer.empty()) {
     Json& first = output.document["buffers"][0];

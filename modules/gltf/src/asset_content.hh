@@ -25,7 +25,7 @@ struct Asset::Content {
   void read_document(const std::string& name);
   const Mesh& mesh(std::size_t number) const { return model.meshes.at(number); }
   /// The output to write. \throw std::invalid_argument if this build can't compress
-  Output output(const WriteOptions& options) const;
+  Output output(const Replacements& replaced, const WriteOptions& options) const;
 };
 
 }  // namespace whittle::gltf

@@ -120,7 +120,8 @@ SceneFormat format_with_one_mesh(io::Format format) {
           .is_document = false,
           .read = read_one_mesh,
           .write = write_one_mesh,
-          .as_written = one_mesh_as_written};
+          .as_written = one_mesh_as_written,
+          .scene_as_written = one_mesh_as_written};
 }
 
 }  // namespace whittle

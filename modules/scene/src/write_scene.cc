@@ -8,6 +8,10 @@ std::string name_of(const SceneOutput& output) {
   return output.path == standard_stream ? "standard output" : output.path;
 }
 
+bool keeps_meshes(const Scene& scene, const SceneOutput& output) {
+  return keeps_meshes(scene) && output.format->is_document;
+}
+
 void write_scene(io::OutputFiles& files, const SceneOutput& output, Scene& scene, const IndexedMesh& mesh,
                  SceneMessages& messages) {
   output.format->write(files, output, scene, &mesh, {}, messages);
@@ -24,9 +28,13 @@ IndexedMesh as_written(const SceneOutput& output, const Scene& scene, const Inde
   return output.format->as_written(output, scene, mesh, options);
 }
 
+IndexedMesh scene_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
+                             const SceneReadOptions& options) {
+  return output.format->scene_as_written(output, scene, mesh, options);
+}
+
 double widest_gap_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh) {
-  const bool has_meshes = output.format->is_document && keeps_meshes(scene);
-  return has_meshes ? scene.document->widest_gap_as_written(mesh) : 0;
+  return keeps_meshes(scene, output) ? scene.document->widest_gap_as_written(mesh) : 0;
 }
 
 }  // namespace whittle

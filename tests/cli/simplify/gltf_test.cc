@@ -475,11 +475,9 @@ TEST(Gltf, RefusesWhatItCannotDo) {
                                                   {"--per-mesh", "--page", folder / "p.html"},
                                                   {"--per-mesh", "--live", folder / "p.html"},
                                                   {"--map", folder / "m"},
-                                                  {"--certificate", folder / "c"},
                                                   {"--engine", "openmesh"},
                                                   {"--weld", "1%"},
-                                                  {"--threshold", "auto"},
-                                                  {"--compress", "--certify"}}) {
+                                                  {"--threshold", "auto"}}) {
     std::vector<std::string> all{"simplify", in, "-o", out, "--faces", "9"};
     all.insert(all.end(), options.begin(), options.end());
     expect_usage_error(whittle(all), {options.front()});

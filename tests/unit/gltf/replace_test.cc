@@ -49,6 +49,18 @@ TEST_F(GltfReplace, DropsPrimitivesWithoutTriangles) {
   EXPECT_THROW(asset.set_triangles(0, with_groups(mesh, {})), std::invalid_argument);
 }
 
+TEST_F(GltfReplace, IsReadAgainAsItIsWritten) {
+  Asset asset = Asset::read(asset_file("gltf-realistic/mannequiny.glb"));
+  const IndexedMesh mesh = asset.triangles(0);
+  const IndexedMesh fewer = with_groups(mesh, {0, 2});
+  const std::string again = asset.as_written({{0, fewer}}).write_glb();
+  EXPECT_EQ(asset.triangles(0).faces, mesh.faces);
+  EXPECT_THROW(asset.as_written({{0, with_groups(mesh, {})}}), std::invalid_argument);
+  asset.set_triangles(0, fewer);
+  EXPECT_EQ(again, Asset::read(asset.write_glb(), "output.glb").write_glb());
+  EXPECT_EQ(again, asset.as_written({}).write_glb()) << "of a replaced mesh the new triangles";
+}
+
 TEST_F(GltfReplace, KeepsLinesAndPointsWhereNoTriangleIsLeft) {
   Asset asset = Asset::read(asset_file("gltf-tiny/generated/triangles_lines_points_mixed.gltf"));
   asset.set_triangles(0, with_groups(asset.triangles(0), {}));

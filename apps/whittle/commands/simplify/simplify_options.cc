@@ -138,14 +138,19 @@ Request request_of(const SimplifyCommand& run) {
   return request;
 }
 
+/// \throw UsageError for options that don't go with a proof about a scene as it is shown
+void check_proof_of_scene(const SimplifyCommand& options) {
+  const std::string proof = options.certificate ? "--certificate" : "the proof of what --compress writes";
+  if (options.request.prune) throw UsageError("'--prune': " + proof + " is about all of IN");
+  if (options.request.tolerance_map) {
+    throw UsageError("'--tolerance-map': " + proof + " counts a vertex of glTF as often as the scene shows it");
+  }
+}
+
 /// \throw UsageError for options that don't go with glTF, or with glTF alone
 void check_gltf(const SimplifyCommand& options) {
   const bool is_written = writes_document(options.output, options.files);
   if (options.compresses_gltf && !is_written) throw UsageError("--compress is for outputs in glTF");
-  if (options.compresses_gltf &&
-      (options.request.targets.max_error || options.request.certify || options.certificate)) {
-    throw UsageError("--compress rounds positions, so nothing can be proven of them: leave one out");
-  }
   const auto is_read_as_gltf = [&](const std::string& path) { return reads_document(path, options.files); };
   const bool is_read = std::any_of(options.inputs.begin(), options.inputs.end(), is_read_as_gltf);
   if (options.request.is_per_mesh && !std::all_of(options.inputs.begin(), options.inputs.end(), is_read_as_gltf)) {
@@ -157,8 +162,9 @@ void check_gltf(const SimplifyCommand& options) {
   if (is_written && (options.map || options.map_back)) {
     throw UsageError("--map and --map-back don't take glTF: its vertices are those of primitives");
   }
-  if ((is_read || is_written) && options.certificate)
-    throw UsageError("--certificate doesn't take glTF, as 'verify' doesn't read it");
+  Request request = request_of(options);
+  request.output.compress = options.compresses_gltf;
+  if (is_read && options.files.scope != SceneScope::scene && request.proves_file()) check_proof_of_scene(options);
   if (is_read && options.files.scope != SceneScope::scene &&
       (options.request.threshold.is_automatic || options.request.threshold.length.value > 0)) {
     throw UsageError("--threshold doesn't take glTF that stays glTF: a mesh may lie at several places");

@@ -13,6 +13,8 @@
 #include "whittle/core/text/text.hh"
 #include "whittle/engine/automatic_threshold.hh"
 #include "whittle/scene/errors.hh"
+#include "whittle/scene/read_scene.hh"
+#include "whittle/scene/write_scene.hh"
 
 namespace whittle {
 namespace {
@@ -67,6 +69,12 @@ std::vector<double> tolerances_of(Plan& plan) {
   std::vector<double> tolerances = tolerances_of_file(read, plan.scene.name);
   if (!tolerances.empty()) plan.notes.push_back(about(plan.scene.name, "keeps to its vertices' property 'tolerance'"));
   return tolerances;
+}
+
+/// \throw io::ReadError if the scene has too many triangles
+IndexedMesh shown_scene(const Scene& scene, SceneReadOptions reading) {
+  reading.scope = SceneScope::scene;
+  return SceneFile(scene.path, scene.format).read(reading).read.mesh;
 }
 
 /// Of threshold pairs, model units. Warns if it is automatic and no parts lie near one another.
@@ -132,7 +140,11 @@ Plan plan(Scene scene, const Request& request) {
     check_regions(request.simplify.decimate.regions, plan.scene);
     prune(plan);
   }
-  if (plan.has_faces() && request.proves()) plan.stretch = widest_stretch(plan.scene);
+  if (plan.has_faces() && request.proves()) {
+    plan.stretch = widest_stretch(plan.scene);
+    const bool is_shown = request.proves_file() && keeps_meshes(plan.scene, request.output);
+    if (is_shown) plan.shown = shown_scene(plan.scene, request.reading);
+  }
   std::vector<std::uint8_t> held = held_borders(plan.scene, plan.scene.read.mesh, plan.threads(), plan.warnings);
   std::vector<double> tolerances = tolerances_of(plan);
   for (double& tolerance : tolerances) tolerance /= plan.stretch;

@@ -31,14 +31,22 @@ struct Slack {
 };
 
 Slack slack_of(const Plan& plan, const Decimation& result) {
+  if (plan.shown) return {};
   return {plan.stretch, widest_gap_as_written(plan.request.output, plan.scene, result.mesh)};
+}
+
+/// What is read again of the file.
+IndexedMesh mesh_as_written(const Plan& plan, const Decimation& result) {
+  const Request& request = plan.request;
+  return request.proves_file() ? scene_as_written(request.output, plan.scene, result.mesh, request.reading)
+                               : as_written(request.output, plan.scene, result.mesh, request.reading);
 }
 
 bool keeps_tolerances(const Plan& plan, const DistancesAsWritten& distances) {
   const std::vector<double>& tolerances = plan.options.decimate.tolerances;
   if (tolerances.empty()) return true;
   const metrics::Certification certification =
-      metrics::certify(plan.scene.read.mesh, distances.written, *plan.target.error_limit(),
+      metrics::certify(plan.proven_surface(), distances.written, *plan.target.error_limit(),
                        {plan.threads(), {}, tolerances, distances.vertex_map});
   return certification.verdict == Verdict::proven;
 }
@@ -48,13 +56,16 @@ bool keeps_tolerances(const Plan& plan, const DistancesAsWritten& distances) {
 std::optional<DistancesAsWritten> distances_as_written(const Plan& plan, const Decimation& result,
                                                        const RunObserver& observer) {
   if (result.mesh.faces.empty()) return std::nullopt;
-  const IndexedMesh& input = plan.scene.read.mesh;
+  const IndexedMesh& input = plan.proven_surface();
   const DecimateTarget& target = plan.target;
   const unsigned threads = plan.threads();
   DistancesAsWritten distances;
-  distances.written = as_written(plan.request.output, plan.scene, result.mesh, plan.request.reading);
+  distances.written = mesh_as_written(plan, result);
+  if (distances.written.faces.empty()) return std::nullopt;
   const Slack slack = slack_of(plan, result);
-  if (distances.written.positions.size() == result.mesh.positions.size()) distances.vertex_map = result.vertex_map;
+  if (!plan.shown && distances.written.positions.size() == result.mesh.positions.size()) {
+    distances.vertex_map = result.vertex_map;
+  }
   distances.surface = metrics::largest_distances(
       input, distances.written, accuracy,
       {threads, observed(observer, "certifying", 0, 0.9), slack.within(target.error_limit().value_or(no_limit))});
@@ -73,7 +84,7 @@ std::string certificate_as_written(const Plan& plan, const DistancesAsWritten& d
   at_most.borders =
       target.border_error_limit().value_or(distances.borders ? proven_distance(*distances.borders) : no_limit);
   const std::optional<std::string> certificate = metrics::make_certificate(
-      plan.scene.read.mesh, distances.written, at_most,
+      plan.proven_surface(), distances.written, at_most,
       {plan.threads(), observed(observer, "certifying", 0, 1), plan.options.decimate.tolerances, distances.vertex_map});
   if (!certificate) throw std::runtime_error(plan.scene.path + ": the steps of the proof are not found");
   return *certificate;

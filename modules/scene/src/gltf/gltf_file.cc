@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <ostream>
 #include <utility>
@@ -108,7 +109,9 @@ void write_asset(io::OutputFiles& files, const std::string& path, const gltf::As
   }
 }
 
-GltfFile::GltfFile(const std::filesystem::path& path) : path_(path), asset_(gltf::Asset::read(path)) {}
+GltfFile::GltfFile(const std::filesystem::path& path) : GltfFile(path, gltf::Asset::read(path)) {}
+
+GltfFile::GltfFile(std::filesystem::path path, gltf::Asset asset) : path_(std::move(path)), asset_(std::move(asset)) {}
 
 std::vector<Eigen::Affine3d> GltfFile::places_of(std::size_t mesh) const {
   std::vector<Eigen::Affine3d> places;
@@ -341,6 +344,15 @@ double GltfFile::widest_stretch() const {
     }
   }
   return widest;
+}
+
+IndexedMesh GltfFile::scene_as_written(const IndexedMesh& mesh, bool compress, const io::ReadOptions& options) const {
+  std::vector<std::string> warnings;
+  std::vector<IndexedMesh> meshes = split_for_file(mesh, "", warnings);
+  std::map<std::size_t, IndexedMesh> triangles;
+  for (std::size_t i = 0; i < parts_.size(); ++i) triangles.emplace(parts_[i].mesh, std::move(meshes[i]));
+  GltfFile written(path_, asset_.as_written(std::move(triangles), {.compress = compress}));
+  return written.read(options, SceneScope::scene).mesh;
 }
 
 /// The meshes for a file; vanished meshes become a point. \param level beginning of warnings

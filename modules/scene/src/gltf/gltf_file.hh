@@ -22,6 +22,8 @@ class GltfFile final : public SceneDocument {
  public:
   /// \throw io::ReadError
   explicit GltfFile(const std::filesystem::path& path);
+  /// \param path for messages
+  GltfFile(std::filesystem::path path, gltf::Asset asset);
 
   /// Reads all meshes with triangles. Without any the result has no faces, `why_no_faces` gives the reason, and `write`
   /// writes the file unchanged.
@@ -56,6 +58,8 @@ class GltfFile final : public SceneDocument {
   /// The mesh after `write` without compression, and `read`. A vertex of several meshes has the position of one of them
   /// in the file. \pre as `write`
   IndexedMesh as_written(IndexedMesh mesh) const;
+  /// The scene as `read` shows it of the file that `write` writes. \pre as `write`
+  IndexedMesh scene_as_written(const IndexedMesh& mesh, bool compress, const io::ReadOptions& options) const;
 
  private:
   /// A mesh of the file, with triangles.

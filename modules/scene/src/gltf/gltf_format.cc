@@ -21,13 +21,16 @@ constexpr std::string_view gltf_extensions[] = {"glb", "gltf"};
 /// \pre the scene `keeps_meshes`, so that it is of this format
 GltfFile& document_of(const Scene& scene) { return static_cast<GltfFile&>(*scene.document); }
 
+io::ReadOptions own_options(const SceneReadOptions& options) {
+  return {.weld = options.weld, .threads = options.threads, .attributes = options.attributes};
+}
+
 Scene read_gltf(const SceneFile& file, const SceneReadOptions& options) {
   Scene scene;
   scene.format = &gltf_format;
   const auto document = std::make_shared<GltfFile>(io::path_of(file.path()));
   scene.document = document;
-  scene.read = document->read({.weld = options.weld, .threads = options.threads, .attributes = options.attributes},
-                              options.scope);
+  scene.read = document->read(own_options(options), options.scope);
   const fs::path folder = folder_of(file.path());
   for (const std::vector<fs::path>& names : {document->asset().buffer_files(), document->asset().image_files()}) {
     for (const fs::path& name : names) scene.needed_files.push_back(folder / name);
@@ -57,6 +60,13 @@ IndexedMesh gltf_as_written(const SceneOutput& /*output*/, const Scene& scene, c
   return rounded;
 }
 
+IndexedMesh gltf_scene_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
+                                  const SceneReadOptions& options) {
+  if (keeps_meshes(scene)) return document_of(scene).scene_as_written(mesh, output.compress, own_options(options));
+  GltfFile written(io::path_of(output.path), new_gltf_as_written(output, scene, mesh));
+  return written.read(own_options(options), SceneScope::scene).mesh;
+}
+
 }  // namespace
 
 const gltf::Asset& gltf_asset_of(const Scene& scene) {
@@ -74,6 +84,7 @@ constinit const SceneFormat gltf_format{.name = "gltf",
                                         .texcoords_grow_down = true,
                                         .read = read_gltf,
                                         .write = write_gltf,
-                                        .as_written = gltf_as_written};
+                                        .as_written = gltf_as_written,
+                                        .scene_as_written = gltf_scene_as_written};
 
 }  // namespace whittle

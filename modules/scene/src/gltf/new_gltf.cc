@@ -82,9 +82,11 @@ IndexedMesh turned(IndexedMesh mesh) {
 }
 
 /// The meshes of an asset, without names and materials.
-gltf::NewAsset new_asset_of(const IndexedMesh& mesh, CoarserLevels levels) {
+gltf::NewAsset new_asset_of(const Scene& scene, const IndexedMesh& mesh, CoarserLevels levels) {
   gltf::NewAsset asset;
   asset.mesh = turned(mesh);
+  // For all that is made of an input the same, if it is there.
+  if (!scene.read.mesh.positions.empty()) asset.translation = float32_origin(scene.read.mesh.positions);
   for (const IndexedMesh* const level : levels) asset.coarser.push_back(turned(*level));
   if (!levels.empty()) asset.screen_coverage = screen_coverages(asset.mesh, asset.coarser);
   return asset;
@@ -130,13 +132,20 @@ Looks looks_of(const Scene& scene, const IndexedMesh& mesh) {
   return looks;
 }
 
+/// \throw io::WriteError if a coordinate is too large for glTF
+gltf::Asset asset_of(gltf::NewAsset asset, const SceneOutput& output) {
+  try {
+    return gltf::make_asset(std::move(asset));
+  } catch (const std::range_error& error) {
+    throw io::WriteError(output.path, error.what());
+  }
+}
+
 }  // namespace
 
 void write_new_gltf(io::OutputFiles& files, const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
                     CoarserLevels levels, SceneMessages& messages) {
-  gltf::NewAsset asset = new_asset_of(mesh, levels);
-  // For all that is made of an input the same, if it is there.
-  if (!scene.read.mesh.positions.empty()) asset.translation = float32_origin(scene.read.mesh.positions);
+  gltf::NewAsset asset = new_asset_of(scene, mesh, levels);
   asset.name = scene.mesh_name;
   asset.embeds_images = io::path_of(output.path).extension() != ".gltf";
   Looks looks = looks_of(scene, asset.mesh);
@@ -144,13 +153,15 @@ void write_new_gltf(io::OutputFiles& files, const SceneOutput& output, const Sce
     messages.warnings.push_back(about(output.path, problem));
   }
   asset.materials = std::move(looks.materials);
-  try {
-    const gltf::Asset made = gltf::make_asset(std::move(asset));
-    write_asset(files, output.path, made, output.compress);
-    copy_companions(files, scene.path, output.path, made.image_files(), messages);
-  } catch (const std::range_error& error) {
-    throw io::WriteError(output.path, error.what());
-  }
+  const gltf::Asset made = asset_of(std::move(asset), output);
+  write_asset(files, output.path, made, output.compress);
+  copy_companions(files, scene.path, output.path, made.image_files(), messages);
+}
+
+gltf::Asset new_gltf_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh) {
+  gltf::NewAsset asset = new_asset_of(scene, mesh, {});
+  asset.materials.resize(asset.mesh.group_names.size());
+  return asset_of(std::move(asset), output).as_written({}, {.compress = output.compress});
 }
 
 }  // namespace whittle

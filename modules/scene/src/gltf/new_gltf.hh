@@ -1,5 +1,6 @@
 #pragma once
 
+#include "whittle/gltf/asset.hh"
 #include "whittle/scene/format.hh"
 
 namespace whittle {
@@ -11,5 +12,8 @@ namespace whittle {
 /// \throw io::WriteError if a coordinate is too large for glTF
 void write_new_gltf(io::OutputFiles& files, const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
                     CoarserLevels levels, SceneMessages& messages);
+
+/// The file as it is read again, but for materials. \throw as `write_new_gltf`
+gltf::Asset new_gltf_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh);
 
 }  // namespace whittle

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -141,6 +142,9 @@ class Asset {
   void write(const std::filesystem::path& path, const WriteOptions& options = {}) const;
   /// The bytes of a .glb. \throw std::length_error for more than 4 GiB
   std::string write_glb(const WriteOptions& options = {}) const;
+  /// The asset as it is read again from what is written with these triangles by mesh, which are as for `set_triangles`.
+  /// Images beside it are missing. \throw as `set_triangles` and `write_glb`
+  Asset as_written(std::map<std::size_t, IndexedMesh> triangles, const WriteOptions& options = {}) const;
   /// The text of a .gltf. \param buffer_uri names the buffer, unless the input's was part of the text
   GltfText write_gltf(const std::string& buffer_uri, const WriteOptions& options = {}) const;
 

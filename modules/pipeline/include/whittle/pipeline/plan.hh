@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,7 @@ struct Plan {
   std::vector<DecimateTarget> targets_per_mesh{};  ///< with `Request::is_per_mesh`; `target` is their sum then
   double diagonal = 0;                             ///< of the scene's bounding box, before it was pruned; model units
   std::size_t n_pruned_parts = 0;
+  std::optional<IndexedMesh> shown{};   ///< the scene of a document as it is shown, if proofs are about it
   double stretch = 1;                   ///< of lengths where the scene is shown (`widest_stretch`)
   std::vector<std::string> notes{};     ///< what was done with the scene: a line each, with its name in front
   std::vector<std::string> warnings{};  ///< likewise
@@ -41,6 +43,8 @@ struct Plan {
   /// Of threshold pairs, model units; 0 = none.
   double threshold() const { return options.decimate.pairs.threshold.value_or(0); }
   unsigned threads() const { return request.reading.threads; }
+  /// The surface that proofs are about.
+  const IndexedMesh& proven_surface() const { return shown ? *shown : scene.read.mesh; }
   bool has_faces() const { return !scene.read.mesh.faces.empty(); }
 };
 

@@ -72,6 +72,8 @@ struct SceneFormat {
                 CoarserLevels levels, SceneMessages& messages);
   IndexedMesh (*as_written)(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
                             const SceneReadOptions& options);
+  IndexedMesh (*scene_as_written)(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
+                                  const SceneReadOptions& options);
 };
 
 /// The table of formats: formats of `io` first, then documents.

@@ -10,6 +10,9 @@ namespace whittle {
 /// Name of an output in messages: its path, or "standard output".
 std::string name_of(const SceneOutput& output);
 
+/// Whether a scene's document, with its meshes, is what is written.
+bool keeps_meshes(const Scene& scene, const SceneOutput& output);
+
 /// Writes a scene with all content that the output's format supports, and the files that it needs. Of a document only
 /// the meshes change.
 /// \param mesh the scene's mesh, simplified or unchanged
@@ -26,6 +29,10 @@ void write_levels(io::OutputFiles& files, const SceneOutput& output, Scene& scen
 /// position. \param options of reading
 IndexedMesh as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
                        const SceneReadOptions& options);
+/// What `write_scene` writes, as `SceneScope::scene` reads it: the file's vertices and faces, also those of compressed
+/// ones. \param options of reading; the scope doesn't count
+IndexedMesh scene_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
+                             const SceneReadOptions& options);
 /// Largest distance between the positions of such a vertex in the file.
 double widest_gap_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh);
 
