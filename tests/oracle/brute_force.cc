@@ -43,6 +43,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& input, const Decimat
     faces_.push_back(f);
     sides_.add(f, n_sides[i]);
   }
+  settle_topology();
   if (options.boundary == Boundary::free) options_.quadric.boundary_weight = 0;
 
   std::vector<bool> locked(positions_.size());
@@ -189,7 +190,10 @@ std::optional<BruteForceDecimater::Choice> BruteForceDecimater::next_choice() co
 /// Finds the position and the final cost: the better position if it is allowed, else the cheapest one. nullopt if
 /// neither is.
 std::optional<BruteForceDecimater::Choice> BruteForceDecimater::resolve(Choice choice) const {
-  if (!forgets(choice)) return is_allowed(choice) ? std::optional(choice) : std::nullopt;
+  if (!forgets(choice)) {
+    choice.cost += vanishing_cost(choice);
+    return is_allowed(choice) ? std::optional(choice) : std::nullopt;
+  }
   const FacesAroundPair around(positions_, faces_, choice.low, choice.high, choice.cheapest);
   const StarVolume volume = around.volume();
   if (choice.is_minimum) choice.position += volume_step(quadrics_[choice.low].a + quadrics_[choice.high].a, volume);
@@ -217,6 +221,7 @@ bool BruteForceDecimater::is_allowed(const Choice& choice) const {
   }
   const std::vector<bool> is_left = faces_left(a, b);
   if (std::ranges::count(is_left, true) == 0) return false;
+  if (stays_closed_ && is_edge && !keeps_topology(a, b) && opens_closed_manifold(a, b)) return false;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     if (!is_left[f]) continue;
     for (const Index v : {a, b}) {

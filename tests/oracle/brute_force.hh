@@ -65,6 +65,9 @@ class BruteForceDecimater {
   bool is_allowed(const Choice& choice) const;
   bool keeps_topology(Index a, Index b) const;
   bool is_no_less_manifold(Index a, Index b) const;
+  void settle_topology();
+  bool opens_closed_manifold(Index a, Index b) const;
+  double vanishing_cost(const Choice& choice) const;
   bool keeps_normals(const Triangle& face, Index v, const Vec3& to) const;
   bool keeps_shape(const Triangle& face, Index v, const Vec3& to) const;
   std::vector<bool> faces_left(Index a, Index b) const;
@@ -82,6 +85,7 @@ class BruteForceDecimater {
   std::vector<Quadric> seams_;  ///< the planes of seams and folds, of vertices that forget all other planes
   std::vector<PointQuadric> points_;
   std::set<std::pair<Index, Index>> threshold_pairs_;  ///< lower vertex first; some may share a face
+  bool stays_closed_ = false;                          ///< where parts may vanish
   bool had_threshold_pairs_ = false;                   ///< at the start
   BruteForceConstraints constraints_;
   std::optional<BruteForceMemory> memory_;  ///< of memoryless quadrics

@@ -110,7 +110,7 @@ constexpr std::array pairs{
            }},
     Option{"across-walls", [](const GivenValue& v, Settings& s) { s.options.decimate.pairs.across_walls = is_on(v); }},
     Option{"topology",
-           [](const GivenValue& v, Settings& s) { s.options.decimate.topology = word<Topology>(v, "keep|free"); }},
+           [](const GivenValue& v, Settings& s) { s.options.decimate.topology = word<Topology>(v, "keep|auto|free"); }},
     Option{"prune", [](const GivenValue& v, Settings& s) { s.prune = length(v); }}};
 
 constexpr std::array costs{

@@ -99,7 +99,7 @@ function setFlags(engine, flags) {
     engine.option(number, 0);
   };
   if (flags.has('LockBorder')) set('boundary', 'locked', NaN);
-  if (flags.has('Prune') || flags.has('Permissive')) set('topology', 'free', NaN);
+  set('topology', flags.has('Prune') || flags.has('Permissive') ? 'free' : 'keep', NaN);
   if (flags.has('Regularize')) set('valence', '', 1);
   if (flags.has('RegularizeLight')) set('valence', '', 0.2);
 }

@@ -118,7 +118,7 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   if (is_exact && options.quadric.placement != Placement::optimal) return "vertices stay where they are";
   if (is_exact && options.valence_weight > 0) return "the cost has a term for valences";
   if (options.pairs.threshold > 0) return "threshold pairs join what lies apart";
-  if (options.topology != Topology::keep) return "the topology may change";
+  if (options.topology == Topology::free) return "the topology may change";
   if (options.feature_angle_deg.value_or(180) < 180 || !options.feature_edges.empty()) return "feature lines are kept";
   const bool seams_are_kept = is_exact || options.holds_seams();
   if (seams_are_kept && (!mesh.wedges.empty() || !face_regions(mesh, options.regions).empty())) return "seams are kept";

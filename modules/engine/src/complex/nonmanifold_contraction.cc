@@ -180,31 +180,55 @@ void plan_nonmanifold(TriangleComplex& complex, ContractionProfile& profile) {
   }
 }
 
-bool is_no_less_manifold(TriangleComplex& complex, const ContractionProfile& profile) {
+namespace {
+
+/// Border edges, misoriented edges, non-manifold edges and non-manifold vertices at the pair and its common neighbours.
+struct DefectCounts {
+  std::array<std::size_t, 4> before, after;
+};
+
+std::vector<Neighbour> merged_star(const ContractionProfile& profile) {
+  std::vector<Neighbour> merged = profile.nonmanifold.left[0];
+  merged.insert(merged.end(), profile.nonmanifold.left[1].begin(), profile.nonmanifold.left[1].end());
+  return merged;
+}
+
+DefectCounts count_defects(TriangleComplex& complex, const ContractionProfile& profile) {
   const auto& [id, a, b] = profile.pair;
   const ContractionProfile::NonmanifoldPlan& nonmanifold = profile.nonmanifold;
-  std::vector<Neighbour> merged = nonmanifold.left[0];
-  merged.insert(merged.end(), nonmanifold.left[1].begin(), nonmanifold.left[1].end());
-  const auto is_near_merged = [&, merged_vertex = a](const Neighbour& neighbour) {
-    return neighbour.vertex == merged_vertex || contains(merged, neighbour.vertex);
-  };
-  const auto hangs_together = [&](const std::vector<Neighbour>& faces) {
-    return std::any_of(faces.begin(), faces.end(), is_near_merged);
-  };
-  if (!std::all_of(nonmanifold.faces.begin(), nonmanifold.faces.end(), hangs_together)) return false;
   Link& link = complex.link();
   Defects before;
   Defects after;
-  after.add(link, a, merged);
+  after.add(link, a, merged_star(profile));
   for (const Index v : {a, b}) before.add(link, v, complex.live_pairs(v));
   for (std::size_t i = 0; i < nonmanifold.common.size(); ++i) {
     const Index v = nonmanifold.common[i].vertex;
     after.add(link, v, nonmanifold.faces[i]);
     before.add(link, v, complex.live_pairs(v));
   }
-  const auto n_before = before.counts();
-  const auto n_after = after.counts();
-  return std::equal(n_after.begin(), n_after.end(), n_before.begin(), std::less_equal<>());
+  return {before.counts(), after.counts()};
+}
+
+}  // namespace
+
+bool is_no_less_manifold(TriangleComplex& complex, const ContractionProfile& profile) {
+  const std::vector<std::vector<Neighbour>>& faces = profile.nonmanifold.faces;
+  const std::vector<Neighbour> merged = merged_star(profile);
+  const auto is_near_merged = [&, merged_vertex = profile.pair.a](const Neighbour& neighbour) {
+    return neighbour.vertex == merged_vertex || contains(merged, neighbour.vertex);
+  };
+  const auto hangs_together = [&](const std::vector<Neighbour>& at_neighbour) {
+    return std::any_of(at_neighbour.begin(), at_neighbour.end(), is_near_merged);
+  };
+  if (!std::all_of(faces.begin(), faces.end(), hangs_together)) return false;
+  const auto [before, after] = count_defects(complex, profile);
+  return std::equal(after.begin(), after.end(), before.begin(), std::less_equal<>());
+}
+
+bool opens_closed_manifold(TriangleComplex& complex, const ContractionProfile& profile) {
+  constexpr std::array<std::size_t, 4> none{};
+  const auto [before, after] = count_defects(complex, profile);
+  return before == none && after != none;
 }
 
 // Vertices minus edges plus faces. One vertex and the pair's edge go; the two edges to a common neighbour become one;

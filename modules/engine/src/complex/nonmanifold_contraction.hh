@@ -24,6 +24,10 @@ void plan_nonmanifold(TriangleComplex& complex, ContractionProfile& profile);
 /// So no part falls apart or vanishes.
 bool is_no_less_manifold(TriangleComplex& complex, const ContractionProfile& profile);
 
+/// Whether the two stars and their common neighbours are of a closed, oriented manifold, which a planned contraction
+/// wouldn't leave: a part that vanishes wholly leaves one.
+bool opens_closed_manifold(TriangleComplex& complex, const ContractionProfile& profile);
+
 /// Whether a planned contraction of an edge keeps the Euler number. \pre `is_no_less_manifold`
 bool keeps_euler_number(const ContractionProfile& profile);
 

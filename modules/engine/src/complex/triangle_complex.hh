@@ -90,6 +90,10 @@ class TriangleComplex {
   bool is_manifold(Index v) const { return kind(v) != VertexKind::junction; }
   /// Whether its neighbours are a ring.
   bool is_ring(Index v) const { return stars_[v].is_ring; }
+  /// Whether the surface is a closed, oriented manifold.
+  bool is_closed() const {
+    return std::all_of(stars_.begin(), stars_.end(), [](const Star& star) { return star.is_ring; });
+  }
   /// Whether v takes part in no contraction: it has faces that aren't here.
   bool is_frozen(Index v) const { return stars_[v].is_frozen; }
   bool has_frozen_vertices() const { return has_frozen_vertices_; }

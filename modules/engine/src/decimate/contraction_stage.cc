@@ -88,6 +88,7 @@ void StagedRun::tell_part_of_progress(double begin, double end, DecimateOptions&
 /// The callbacks are told of a part of the progress, and of the input's vertices. \param end of that part
 DecimateOptions StagedRun::options_of_stage(double end) {
   DecimateOptions options = options_;
+  options.topology = topology();
   tell_part_of_progress(report().progress, end, options);
   if (is_listener_told_at_end()) options.listener = {};
   if (!surface().is_input() && options.listener) {

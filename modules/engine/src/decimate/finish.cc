@@ -24,12 +24,11 @@ std::size_t count_vanished(const Parts& parts, const std::vector<Index>& vertex_
 
 /// Fills in components and non-manifold counts of the surface before and after.
 void compare_surfaces(const IndexedMesh& input, const NonmanifoldCounts& before, const NonmanifoldCounts& after,
-                      const DecimateOptions& options, Decimation& out) {
+                      bool keeps_parts, Decimation& out) {
   out.result.after = surface_counts(find_parts(out.mesh.positions.size(), out.mesh.faces).count, after);
   out.result.before = surface_counts(out.result.after.components, before);
   const bool is_manifold = before.edges == 0 && before.vertices == 0;
-  const bool has_pairs = options.pairs.threshold > 0;
-  if (!has_pairs && options.topology == Topology::keep && is_manifold) return;  // parts stay parts
+  if (keeps_parts && is_manifold) return;
   const Parts parts = find_parts(input.positions.size(), input.faces);
   out.result.before.components = parts.count;
   out.result.n_vanished_components = count_vanished(parts, out.vertex_map);
@@ -80,7 +79,8 @@ Decimation StagedRun::finish(bool keeps_in_charts) {
     if (b != invalid_index) out.refused_pairs.push_back({{a, b}, reason});
   }
   out.result.warnings = warnings_about(out.result.threshold_pairs);
-  compare_surfaces(mesh_, *nonmanifold_before_, nonmanifold, options_, out);
+  const bool keeps_parts = topology() == Topology::keep && !(options_.pairs.threshold > 0);
+  compare_surfaces(mesh_, *nonmanifold_before_, nonmanifold, keeps_parts, out);
   return out;
 }
 

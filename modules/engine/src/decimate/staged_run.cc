@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "whittle/core/parts.hh"
 #include "whittle/core/regions.hh"
 #include "whittle/core/wedges.hh"
 
@@ -50,6 +51,22 @@ std::vector<DecimateTarget> StagedRun::stops() const {
   return stops;
 }
 
+/// Blocks keep the topology: so the parts of what they have left are those of the input.
+Topology StagedRun::topology() {
+  if (options_.topology != Topology::automatic) return options_.topology;
+  if (!topology_) topology_ = !host_ && may_parts_matter() ? Topology::automatic : Topology::keep;
+  return *topology_;
+}
+
+/// Whether there are several parts, of which the least faces are some of those that are wanted.
+bool StagedRun::may_parts_matter() const {
+  constexpr double least_faces = 4;  // of a tetrahedron
+  constexpr double least_share = 0.01;
+  const std::size_t n_parts = find_parts(n_vertices_left(), surface().faces).count;
+  const double wanted = target_.share_of(n_faces_left(), n_vertices_left()) * static_cast<double>(n_faces_left());
+  return n_parts > 1 && least_faces * static_cast<double>(n_parts) >= least_share * wanted;
+}
+
 /// Empty where the error alone counts, and with a host, which has guards of its own.
 const KeptAreas& StagedRun::areas() {
   if (areas_) return *areas_;
@@ -66,6 +83,7 @@ DecimateResult StagedRun::contract_in_blocks(const DecimateTarget& target, const
   report.result.why_in_one_pass = why_not_in_blocks(mesh_, target, options_, host_, plan, is_told());
   if (report.result.why_in_one_pass.empty()) {
     DecimateOptions options = options_;
+    options.topology = Topology::keep;
     const double end = begin + (1 - begin) * way_to(target);
     tell_part_of_progress(begin, end, options);
     if (is_listener_told_at_end()) options.listener = {};

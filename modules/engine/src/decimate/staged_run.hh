@@ -46,6 +46,8 @@ class StagedRun {
   void return_to(State state) { state_ = std::move(state); }
   /// \param progress that has been told
   void begin_anew(double progress);
+  /// That of the options; of `automatic` what it comes to on this mesh.
+  Topology topology();
   /// Whether stages from now on keep their steps, whatever the options say.
   void keep_steps_of_all(bool keeps) { keeps_steps_of_all_ = keeps; }
 
@@ -65,6 +67,7 @@ class StagedRun {
 
  private:
   WorkingSurface input() const;
+  bool may_parts_matter() const;
   const KeptAreas& areas();
   bool is_listener_told_at_end() const { return options_.listener && target_.error_limit(); }
   bool keeps_steps() const { return options_.keep_steps || is_listener_told_at_end() || keeps_steps_of_all_; }
@@ -92,6 +95,7 @@ class StagedRun {
   Frame frame_;
   State state_;
   bool keeps_steps_of_all_ = false;
+  std::optional<Topology> topology_;                     ///< once it is asked for
   std::optional<NonmanifoldCounts> nonmanifold_before_;  ///< of the input
   std::optional<KeptAreas> areas_;                       ///< of the input, once they are asked for
 };

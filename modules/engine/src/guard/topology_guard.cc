@@ -17,7 +17,8 @@ bool TopologyGuard::refuses(ContractionProfile& profile) {
   if (complex_.has_frozen_vertices()) return true;
   plan_nonmanifold(complex_, profile);
   const bool takes_last_face = profile.opposites.size() + profile.nonmanifold.coincident.size() == complex_.n_faces();
-  if (takes_last_face || !keeps) return takes_last_face;
+  if (takes_last_face) return true;
+  if (!keeps) return is_edge && stays_closed_ && opens_closed_manifold(complex_, profile);
   // Where threshold pairs join parts, walls between these vanish and gaps close. That changes the Euler number.
   const bool may_change_euler_number = complex_.has_threshold_pairs();
   return !is_no_less_manifold(complex_, profile) || !(may_change_euler_number || keeps_euler_number(profile));

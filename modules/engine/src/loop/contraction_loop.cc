@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "cost/make_cost.hh"
+#include "cost/vanishing_cost.hh"
 #include "host/host_cost.hh"
 #include "loop/make_guards.hh"
 #include "loop/surface_of_faces.hh"
@@ -23,6 +24,8 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// In the place of a guard's number.
 constexpr RefusedPairs::Refuser refused_by_cost = 0xfe;
 constexpr RefusedPairs::Refuser refused_for_error = 0xfd;
+/// Of pairs in the queue at a cost above their rank, as faces would vanish, to be looked at again after changes nearby.
+constexpr RefusedPairs::Refuser raised_for_faces = 0xfc;
 
 /// Whether pairs stay where they were queued until their turn comes.
 bool is_lazy(const PairRanks& ranks, const DecimateOptions& options) {
@@ -216,7 +219,7 @@ void ContractionLoop::finish(PairsAtOnce::Entry& entry) {
   const auto [position, survivor] = entry.place();
   profile_.survivor = survivor;
   if (const auto refuser = find_refusal_at(position)) return refuse(*refuser);
-  contract(entry.ranked, position, std::max(rank.cost, placer_.final_cost(profile_, rank, position)));
+  contract(entry.ranked, position, cost_at(position, rank));
   at_once_.note(change_, entry);
 }
 
@@ -240,15 +243,25 @@ bool ContractionLoop::gather(const RankedPair& ranked) {
   return true;
 }
 
+/// At least the rank.
+double ContractionLoop::cost_at(const Vec3& position, const PairEvaluation& rank) const {
+  const bool may_vanish = options_.topology == Topology::automatic;
+  const double of_faces = may_vanish ? vanishing_cost(complex_, profile_, position, cost_dimension_) : 0;
+  return std::max(rank.cost, placer_.final_cost(profile_, rank, position) + of_faces);
+}
+
 /// The cost at a position. nullopt if the pair isn't to be contracted now.
 std::optional<double> ContractionLoop::settle_cost(const RankedPair& ranked, const Vec3& position) {
-  const double rank = ranked.rank.cost;
-  const double cost = std::max(rank, placer_.final_cost(profile_, ranked.rank, position));
+  const double cost = cost_at(position, ranked.rank);
   if (cost == never) {
     refused_.add(ranked.pair, refused_by_cost);
     return std::nullopt;
   }
-  if (cost > rank && queue_->postpone(ranked.pair, cost)) return std::nullopt;
+  if (cost > ranked.rank.cost && queue_->postpone(ranked.pair, cost)) {
+    const bool may_fall = profile_.is_nonmanifold && options_.effective_order() == Order::exact;
+    if (may_fall) refused_.add(ranked.pair, raised_for_faces);
+    return std::nullopt;
+  }
   if (stop_at_cost(ranked.pair, cost)) return std::nullopt;
   return cost;
 }
@@ -364,7 +377,8 @@ std::optional<std::size_t> ContractionLoop::find_refusal_at(const Vec3& position
 
 /// Notes that the guard of this number refused the pair.
 void ContractionLoop::refuse(std::size_t guard) {
-  const bool is_known = refused_.refuser(profile_.pair.id) != RefusedPairs::none;  // it was queued twice
+  const RefusedPairs::Refuser before = refused_.refuser(profile_.pair.id);
+  const bool is_known = before != RefusedPairs::none && before != raised_for_faces;  // it was queued twice
   if (!is_known) guards_[guard]->count(result_.refusals);
   note_refusal(profile_.pair, guard);
 }
@@ -428,72 +442,6 @@ void ContractionLoop::tell_others(const HostedContraction& made, double cost) {
   contraction.position = frame_.to_model(made.position);
   if (host_ != nullptr && !host_->follow(made, contraction)) stop_ = StopReason::cancelled;
   if (options_.listener) options_.listener(contraction);
-}
-
-/// Makes the lists of the vertices around the merged one compact, as far as the cost looks.
-void ContractionLoop::list_touched() {
-  std::vector<Index>& touched = change_.touched;
-  touched.clear();
-  if (touched_ == Reach::none) return;
-  const auto add = [&](Index v) {
-    v = complex_.representative(v);
-    if (std::find(touched.begin(), touched.end(), v) == touched.end()) touched.push_back(v);
-  };
-  const auto add_neighbours = [&](Index v) {
-    for (const Neighbour& neighbour : complex_.neighbours(v)) add(neighbour.vertex);
-  };
-  add(change_.survivor);
-  if (touched_ >= Reach::ring) {
-    add_neighbours(change_.survivor);
-    for (const ContractionProfile::Common& opposite : profile_.opposites) add(opposite.vertex);
-    for (const ContractionProfile::Common& neighbour : profile_.merged_neighbours()) add(neighbour.vertex);
-  }
-  for (const Index v : touched) complex_.compact(v);
-  if (touched_ < Reach::opposite_rings) return;
-  for (const ContractionProfile::Common& opposite : profile_.opposites) add_neighbours(opposite.vertex);
-  if (!profile_.is_nonmanifold) return;
-  for (const ContractionProfile::Common& neighbour : profile_.nonmanifold.common) add_neighbours(neighbour.vertex);
-}
-
-/// Queues anew the refused pairs at vertices that guards see the change from.
-void ContractionLoop::wake_around() {
-  const auto wake_neighbours = [&](Index v) {
-    for (const Neighbour& neighbour : complex_.neighbours(v)) wake(neighbour.vertex);
-  };
-  if (n_rings_ > 1) {
-    for (const Neighbour& neighbour : complex_.neighbours(change_.survivor)) {
-      for (const Neighbour& beyond : complex_.neighbours(neighbour.vertex)) {
-        wake(complex_.representative(beyond.vertex));
-      }
-    }
-  }
-  wake(change_.survivor);
-  wake(change_.removed);
-  wake_neighbours(change_.survivor);
-  for (const ContractionProfile::Common& opposite : profile_.opposites) wake(opposite.vertex);
-  if (!profile_.is_nonmanifold) return;
-  for (const ContractionProfile::Common& neighbour : profile_.nonmanifold.common) {  // their links have changed
-    wake(neighbour.vertex);
-    wake_neighbours(neighbour.vertex);
-  }
-}
-
-void ContractionLoop::wake_pairs_at(Index v) {
-  refused_.take(v, woken_);
-  for (const Index id : woken_) {
-    if (complex_.is_pair_alive(id)) queue_->add(pair_now(complex_, id));
-  }
-}
-
-/// Queues anew those pairs hidden at v that have lost their common faces.
-void ContractionLoop::reveal_at(Index v) {
-  woken_.clear();
-  filter_.reveal(v, woken_);
-  for (const Index id : woken_) {
-    if (!complex_.is_pair_alive(id)) continue;
-    const Pair pair = pair_now(complex_, id);
-    if (complex_.is_contractible(pair) && !filter_.hides(pair)) queue_->add(pair);
-  }
 }
 
 }  // namespace whittle

@@ -62,6 +62,7 @@ class ContractionLoop {
   bool find_places(const RankedPair& ranked, std::size_t most);
   void find_nearer_places(PairsAtOnce::Entry& entry);
   bool may_place_anywhere(const Pair& pair) const;
+  double cost_at(const Vec3& position, const PairEvaluation& rank) const;
   std::optional<double> settle_cost(const RankedPair& ranked, const Vec3& position);
   std::optional<std::size_t> find_refusal();
   std::optional<std::size_t> find_refusal_at(const Vec3& position);

@@ -12,7 +12,8 @@ namespace {
 constexpr std::array<Choice<Seams>, 2> seams{{{"weighted", Seams::weighted}, {"keep", Seams::keep}}};
 constexpr std::array<Choice<Boundary>, 3> boundaries{
     {{"weighted", Boundary::weighted}, {"locked", Boundary::locked}, {"free", Boundary::free}}};
-constexpr std::array<Choice<Topology>, 2> topologies{{{"keep", Topology::keep}, {"free", Topology::free}}};
+constexpr std::array<Choice<Topology>, 3> topologies{
+    {{"auto", Topology::automatic}, {"keep", Topology::keep}, {"free", Topology::free}}};
 constexpr std::array<Choice<SelfIntersections>, 3> self_intersections{
     {{"allow", SelfIntersections::allow}, {"count", SelfIntersections::count}, {"refuse", SelfIntersections::refuse}}};
 constexpr std::array<Choice<Normals>, 3> normals{
@@ -73,7 +74,9 @@ OptionRows pair_rows(Request& request) {
           {.names = "--topology",
            .access = choice(request.simplify.decimate.topology, topologies),
            .group = pair_group,
-           .help = "keep: contracting an edge closes no tunnel, opens no hole and lets no part vanish; free: it may",
+           .help = "auto: on meshes of several parts, what costs less than to contract the rest may vanish: parts, "
+                   "thin sheets, tunnels of open ones; keep: contracting an edge closes no tunnel, opens no hole and "
+                   "lets no part vanish; free: it may",
            .key = "topology",
            .lift = {{Refusal::link, "free"}}},
           {.names = "--prune",

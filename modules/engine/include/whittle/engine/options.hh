@@ -22,11 +22,15 @@ enum class Boundary {
   free       ///< Nothing holds them.
 };
 
-/// What an edge contraction may do to the topology. Threshold pairs join parts under both.
+/// What an edge contraction may do to the topology. Threshold pairs join parts under all.
 enum class Topology {
-  keep,  ///< Nothing: it closes no tunnel, opens no hole, joins nothing, and no part vanishes.
-  free   ///< Anything but taking the last face: tunnels close, closed parts vanish. Faces that coincide then are left
-         ///< out.
+  keep,       ///< Nothing: it closes no tunnel, opens no hole, joins nothing, and no part vanishes.
+  automatic,  ///< As `keep` on a mesh of one part, and where a tetrahedron for each part takes less than a 100th of the
+              ///< faces wanted. Else parts and thin sheets may vanish, in the order of cost: faces that nothing
+              ///< covers afterwards cost their area times the square of their length (`vanishing_cost`). A
+              ///< mesh that is a closed manifold stays one.
+  free        ///< Anything but taking the last face: tunnels close, closed parts vanish. Faces that coincide then are
+              ///< left out. What vanishes costs nothing more.
 };
 
 /// What happens to vertices on seams (`seam_edges`).

@@ -23,7 +23,7 @@ enum class Effort {
 struct SimplifyOptions {
   /// An empty `cost` is by effort; plain quadrics if another option needs them (`with_effort`). `progress` is also
   /// called during polish. `locked` vertices also stay in polish. `keep_quadrics` returns the quadrics before polish.
-  DecimateOptions decimate{};
+  DecimateOptions decimate{.topology = Topology::automatic};
 
   /// Largest number of passes of polish, at each pause and at the end. A pass that doesn't reduce the error is undone,
   /// and is the last. 0 = no polish. Empty = by effort, at least two with `Fit::max`, none unless the placement is
