@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "attributes/texture_atlas.hh"
+#include "whittle/core/attribute_functions.hh"
 #include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/image_triangle.hh"
@@ -230,6 +233,27 @@ class ChartKeeper {
   std::vector<bool> is_stuck_;                 ///< per face: no move of a corner gains, as faces are around it
 };
 
+/// Per wedge of the original. Charts of one map are one, unless they have other images.
+std::vector<Index> charts_on_image(const MovedTexture& texture) {
+  const IndexedMesh& original = texture.original;
+  std::vector<Index> charts = attribute_charts(original, texture.original_values, texture.n_components);
+  if (texture.maps.empty()) return charts;
+  std::vector<Index> become(charts.size(), invalid_index);
+  std::map<std::pair<Index, Index>, Index> first;  // chart of a map and a group
+  for (std::size_t f = 0; f < original.faces.size(); ++f) {
+    const Index wedge = original.wedge(f, 0);
+    const Index moved = texture.wedge_map[wedge];
+    const Index map = moved == invalid_index ? invalid_index : texture.maps[moved];
+    if (map == invalid_index || become[charts[wedge]] != invalid_index) continue;
+    const Index group = original.face_groups.empty() ? 0 : original.face_groups[f];
+    become[charts[wedge]] = first.try_emplace({map, group}, charts[wedge]).first->second;
+  }
+  for (Index& chart : charts) {
+    if (become[chart] != invalid_index) chart = become[chart];
+  }
+  return charts;
+}
+
 bool are_finite(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
 }
@@ -238,7 +262,7 @@ bool are_finite(std::span<const double> values) {
 
 std::size_t keep_in_charts(const MovedTexture& texture, std::span<double> values) {
   if (texture.original.faces.empty() || !are_finite(texture.original_values) || !are_finite(values)) return 0;
-  const TextureAtlas atlas(texture.original, texture.original_values, texture.n_components);
+  const TextureAtlas atlas(texture.original, texture.original_values, texture.n_components, charts_on_image(texture));
   if (!atlas.has_several_charts()) return 0;
   return ChartKeeper(texture, atlas, values).run();
 }

@@ -43,8 +43,8 @@ std::vector<double> areas_of(const IndexedMesh& mesh, const Frame& frame, unsign
 }  // namespace
 
 double LocalFunction::in_range(double number, const Vec3& position) const {
-  const double linear = is_linear && !stays ? at(position) : mean;
-  return std::clamp(number, std::min(low, linear), std::max(high, linear));
+  const double own = holds ? at(position) : mean;
+  return std::clamp(number, std::min(low, own), std::max(high, own));
 }
 
 LocalFunctions::LocalFunctions(const IndexedMesh& input, const Frame& frame, std::span<const Index> wedge_map,

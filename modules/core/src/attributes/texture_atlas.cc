@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "whittle/core/attribute_functions.hh"
-
 namespace whittle::detail {
 namespace {
 
@@ -24,9 +22,9 @@ bool is_in(const Vec2& point, const ImageTriangle& triangle) {
 
 }  // namespace
 
-TextureAtlas::TextureAtlas(const IndexedMesh& original, std::span<const double> texcoords, std::size_t n_components)
-    : chart_of_wedge_(attribute_charts(original, texcoords, n_components)),
-      group_of_chart_(chart_of_wedge_.size(), invalid_index) {
+TextureAtlas::TextureAtlas(const IndexedMesh& original, std::span<const double> texcoords, std::size_t n_components,
+                           std::vector<Index> charts)
+    : chart_of_wedge_(std::move(charts)), group_of_chart_(chart_of_wedge_.size(), invalid_index) {
   for (std::size_t f = 0; f < original.faces.size(); ++f) {
     Index& group = group_of_chart_[chart_of_wedge_[original.wedge(f, 0)]];
     if (group != invalid_index) continue;

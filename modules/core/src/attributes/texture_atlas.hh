@@ -16,7 +16,9 @@ namespace whittle::detail {
 class TextureAtlas {
  public:
   /// \param texcoords the first two of `n_components` finite numbers, for each wedge of the original
-  TextureAtlas(const IndexedMesh& original, std::span<const double> texcoords, std::size_t n_components);
+  /// \param charts of each wedge
+  TextureAtlas(const IndexedMesh& original, std::span<const double> texcoords, std::size_t n_components,
+               std::vector<Index> charts);
 
   bool has_several_charts() const { return n_charts_ > 1; }
   Index chart_of(Index wedge) const { return chart_of_wedge_[wedge]; }

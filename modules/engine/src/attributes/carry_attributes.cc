@@ -93,13 +93,13 @@ class AttributeCarrier {
       }
     });
     if (keeps_in_charts_ && kind == AttributeKind::texcoord && n_components >= 2)
-      keep_texture_in_charts(n_components, values, carried);
+      keep_texture_in_charts(functions, n_components, values, carried);
     return carried;
   }
 
   /// Where all vertices are the input's, as in an index buffer, so are all values.
-  void keep_texture_in_charts(std::size_t n_components, std::span<const double> values,
-                              std::span<double> carried) const {
+  void keep_texture_in_charts(const AttributeFunctions& functions, std::size_t n_components,
+                              std::span<const double> values, std::span<double> carried) const {
     std::vector<Index> wedges(n_);
     std::iota(wedges.begin(), wedges.end(), Index{0});
     const bool is_subset = std::all_of(wedges.begin(), wedges.end(), [&](Index w) {
@@ -112,7 +112,8 @@ class AttributeCarrier {
         faces[f][k] = map_.of_corners.empty() ? mesh_.faces[f][k] : map_.of_corners[3 * f + k];
       }
     }
-    keep_in_charts({input_, values, map_.of_input, n_components, faces, threads_}, carried);
+    const std::vector<Index> maps = functions.maps();
+    keep_in_charts({input_, values, map_.of_input, n_components, faces, maps, threads_}, carried);
   }
 
   /// A wedge that has gone to the place of one merged into it has its value, to the bit. A category is that of the

@@ -55,6 +55,7 @@ struct Values {
 
   /// n_linear(kind) per wedge of the mesh; without a linear function the slope is 0.
   std::vector<LocalFunction> functions;
+  std::vector<Index> maps;  ///< of texture coordinates, as `AttributeFunctions::maps`
 
   std::span<const double> original(Index w) const { return {from.data() + w * n_components, n_components}; }
   std::span<double> fitted(Index w) { return {to.data() + w * n_components, n_components}; }
@@ -119,6 +120,8 @@ class AttributeFit {
   void guess(const AttributeFunctions& functions, Values& values) const;
   std::vector<double> right_sides(const Values& values) const;
   void keep_in_range(Values& values) const;
+  bool holds_everywhere(const Values& values) const;
+  void set_functions_that_hold(Values& values) const;
   std::vector<std::uint8_t> linear_wedges(Values& values) const;
 
   const IndexedMesh& original_;
@@ -279,6 +282,29 @@ void AttributeFit::keep_in_range(Values& values) const {
   }
 }
 
+/// Whether all numbers follow functions of whole charts, so that nothing is left to fit.
+bool AttributeFit::holds_everywhere(const Values& values) const {
+  const std::size_t n = n_linear(values.kind, values.n_components);
+  for (Index w = 0; w < positions_.size(); ++w) {
+    if (!functions_.any(w)) continue;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!values.functions[w * n + i].holds) return false;
+    }
+  }
+  return true;
+}
+
+/// A number that is linear throughout its chart is so here, too: the fit would see the rounding of single values.
+void AttributeFit::set_functions_that_hold(Values& values) const {
+  const std::size_t n = n_linear(values.kind, values.n_components);
+  for (Index w = 0; w < positions_.size(); ++w) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const LocalFunction& function = values.functions[w * n + i];
+      if (function.holds) values.fitted(w)[i] = function.at(positions_[w]);
+    }
+  }
+}
+
 /// A column of a table with rows of n numbers.
 auto column(std::vector<double>& table, std::size_t i, std::size_t n) {
   using Stride = Eigen::InnerStride<>;
@@ -293,10 +319,11 @@ void AttributeFit::fit(Values& values) const {
   const AttributeFunctions functions(functions_, values.kind, values.n_components, values.from, threads_);
   find_functions(functions, values);
   guess(functions, values);
+  if (values.kind == AttributeKind::texcoord) values.maps = functions.maps();
   const std::vector<double> guessed = values.to;
   const std::size_t n = values.n_components;
   const std::size_t n_fitted = is_fitted ? n_linear(values.kind, n) : 0;
-  if (n_fitted > 0) {
+  if (n_fitted > 0 && !holds_everywhere(values)) {
     std::vector<double> sides = right_sides(values);
     for_each_block(n_fitted, threads_, [&](std::size_t i) {
       const Vector start = column(values.to, i, n);
@@ -308,6 +335,7 @@ void AttributeFit::fit(Values& values) const {
     });
     keep_in_range(values);
   }
+  set_functions_that_hold(values);
   for (Index w = 0; w < mesh_.positions.size(); ++w) {
     restore_range(values.kind, {guessed.data() + w * n, n}, values.fitted(w));
   }
@@ -333,7 +361,8 @@ std::size_t AttributeFit::lay_on_image(Values& values) const {
       turns_on_image({original_.faces, values.from, values.n_components}, samples_.of_faces, mesh_.faces.size());
   const std::size_t n_folded =
       polishing::unfold(mesh_.faces, turns, values.to, values.n_components, linear_wedges(values));
-  keep_in_charts({functions_.input(), values.from, functions_.wedge_map(), values.n_components, mesh_.faces, threads_},
+  keep_in_charts({functions_.input(), values.from, functions_.wedge_map(), values.n_components, mesh_.faces,
+                  values.maps, threads_},
                  values.to);
   return n_folded;
 }
@@ -341,7 +370,7 @@ std::size_t AttributeFit::lay_on_image(Values& values) const {
 template <std::size_t N>
 void fit_array(const AttributeFit& fit, AttributeKind kind, const std::vector<std::array<float, N>>& from,
                std::vector<std::array<float, N>>& to) {
-  Values values{kind, N, {}, {}, {}};
+  Values values{kind, N, {}, {}, {}, {}};
   for (const auto& value : from) values.from.insert(values.from.end(), value.begin(), value.end());
   for (const auto& value : to) values.to.insert(values.to.end(), value.begin(), value.end());
   fit.fit(values);
@@ -379,7 +408,7 @@ AttributeFitReport fit_attributes(const IndexedMesh& original, std::span<const I
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
     Attribute& attribute = mesh.attributes[i];
     Values values{
-        attribute.kind, attribute.n_components, original.attributes[i].values, std::move(attribute.values), {}};
+        attribute.kind, attribute.n_components, original.attributes[i].values, std::move(attribute.values), {}, {}};
     fit.fit(values);
     const bool is_texture = values.kind == AttributeKind::texcoord && values.n_components >= 2;
     if (is_texture) report.n_folded_faces += fit.lay_on_image(values);

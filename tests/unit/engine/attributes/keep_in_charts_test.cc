@@ -97,6 +97,17 @@ TEST(KeepInCharts, LeavesOtherImagesAlone) {
   EXPECT_EQ(moved, before);
 }
 
+TEST(KeepInCharts, LeavesChartsOfOneMap) {
+  const TwoCharts charts;
+  std::vector<double> moved = charts.sticking_out(0.4);
+  const std::vector<double> before = moved;
+  const std::vector<Index> maps(charts.original.positions.size(), 0);
+  MovedTexture texture = charts.texture();
+  texture.maps = maps;
+  EXPECT_EQ(keep_in_charts(texture, moved), 0U);
+  EXPECT_EQ(moved, before);
+}
+
 /// A chart for each face, of which a face of the result has many under it.
 TEST(KeepInCharts, LeavesFacesThatAreLargerThanTheirCharts) {
   const IndexedMesh original = soup(grid(n_chart_squares, n_chart_squares));

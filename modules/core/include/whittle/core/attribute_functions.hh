@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -19,7 +20,8 @@ std::vector<Index> attribute_charts(const IndexedMesh& mesh, std::span<const dou
 ///
 /// If a component is linear in the position throughout its chart (`attribute_charts`), as in planar texture maps, that
 /// function holds in the whole chart. Elsewhere it has a local function (`LocalFunctions`), clamped to the range of the
-/// values around: neither a step nor a texture at a seam may overshoot.
+/// values around: neither a step nor a texture at a seam may overshoot. The weight of each joint counts as a component;
+/// in a chart all of them are linear, or none.
 class AttributeFunctions {
  public:
   /// Keeps references to `functions` and `values`. \param values `n_components` per wedge of the input
@@ -28,6 +30,10 @@ class AttributeFunctions {
 
   /// Whether faces of the input lie around w. The other functions require it.
   bool any(Index w) const { return functions_.any(w); }
+  /// Per wedge of the mesh, a number of the map that its chart is part of; invalid_index where some component isn't
+  /// linear. Charts with the same functions but for whole numbers are of one map, such as tiles of a texture that
+  /// repeats: beyond its border a chart goes on as the other does. \pre the components are texture coordinates
+  std::vector<Index> maps() const;
   /// Of the `n_linear(kind, n_components)` first components.
   std::vector<LocalFunction> of(Index w) const;
   /// Moves a value to a position near a wedge, by its kind. Directions keep unit length, colours stay in [0, 1].
@@ -36,17 +42,11 @@ class AttributeFunctions {
   void move(Index w, const Vec3& position, std::span<double> value) const;
 
  private:
-  /// The function of a component in a chart, if it is linear.
-  struct Chart {
-    bool is_linear = false;
-    LocalFunction function;
-  };
-
   double number(Index wedge, std::size_t i) const { return values_[wedge * n_components_ + i]; }
-  std::vector<Index> find_charts() const;
-  void find_linear_charts(std::vector<Index> charts, unsigned threads);
-  void drop_bent_charts(std::vector<Index>& charts) const;
-  void find_chart(const LocalFunctions& charts, Index chart);
+  double weight_of(double joint, Index wedge) const;
+  void find_joints();
+  std::span<const LocalFunction> chart_of(Index w) const;
+  std::vector<std::array<double, 2>> joints_at(Index w, const Vec3& position) const;
   void move_joint_weights(Index w, const Vec3& position, std::span<double> value) const;
 
   const LocalFunctions& functions_;
@@ -54,8 +54,9 @@ class AttributeFunctions {
   std::size_t n_components_;
   std::size_t n_linear_;
   std::span<const double> values_;
-  std::vector<Index> chart_of_;  ///< per wedge of the mesh; invalid_index: no linear chart
-  std::vector<Chart> charts_;    ///< n_linear_ per chart
+  std::vector<double> joints_;            ///< all with a weight; empty for other kinds
+  std::vector<Index> charts_;             ///< per wedge of the mesh; invalid_index: no linear chart
+  std::vector<LocalFunction> in_charts_;  ///< per linear chart one for each component, or joint
 };
 
 }  // namespace whittle

@@ -14,6 +14,7 @@ struct MovedTexture {
   std::span<const Index> wedge_map;         ///< per wedge of the original, its wedge in the mesh, or `invalid_index`
   std::size_t n_components;                 ///< 2 or more
   std::span<const Triangle> faces;          ///< of the mesh, as wedges
+  std::span<const Index> maps = {};         ///< per wedge of the mesh, as `AttributeFunctions::maps`; or empty
   unsigned threads = 0;                     ///< 0 = all cores; the result is the same for any number
 };
 
@@ -23,7 +24,7 @@ struct MovedTexture {
 /// of their size inside.
 /// - A face that is larger on the image than its chart stays as it is.
 /// - A point over its own chart is right, even if another chart is there, too, as in a mirrored texture.
-/// - Charts of other `face_groups` have other images.
+/// - Charts of other `face_groups` have other images. Charts of one map are one chart.
 /// - Nothing moves if a number isn't finite.
 /// \param values n_components per wedge of the mesh
 /// \return number of faces that still lie over another chart

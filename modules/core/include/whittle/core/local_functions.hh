@@ -18,10 +18,10 @@ struct LocalFunction {
   Vec3 slope = Vec3::Zero();   ///< per unit of the frame
   double low = 0, high = 0;    ///< range of the values around
   bool is_linear = false;      ///< whether the values around are linear, to a hundredth of their variation
-  bool stays = false;          ///< whether also linear values are clamped to low and high
+  bool holds = false;          ///< whether it is that of a whole chart, and so holds beyond low and high
 
   double at(const Vec3& position) const { return mean + slope.dot(position - center); }
-  /// Clamps a number to [low, high]. Linear values are clamped only if `stays`.
+  /// Clamps a number to [low, high], widened to the function's own value where it `holds`.
   double in_range(double number, const Vec3& position) const;
 };
 

@@ -13,6 +13,8 @@
 //   - b_sk are the barycentric coordinates of its closest point on the simplified mesh, x_sk the values of the corners
 //   - x⁰_w is the original's value nearest to wedge w, M_w = Σ m_s b_sk, and λ is 0.02
 //
+// A number that is linear in the position throughout its chart keeps that function instead (attribute_functions.hh).
+//
 // Where the fit leaves a fold, texture coordinates are moved by the least amount that removes it. A fold is a face
 // whose orientation on the image differs from the original's there. Then coordinates are kept in their charts
 // (keep_in_charts.hh).
