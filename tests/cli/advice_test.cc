@@ -39,7 +39,7 @@ std::vector<std::string> with(std::vector<std::string> options, const std::strin
 }
 
 TEST(Advice, NamesOptionsThatReachTheTarget) {
-  const std::vector<Missed> cases{{"cubes.obj", "10", {}, "--topology"},
+  const std::vector<Missed> cases{{"cubes.obj", "10", {"--topology", "keep"}, "--topology"},
                                   {"terrain.ply", "50", {"--boundary", "locked"}, "--boundary"},
                                   {"terrain.ply", "50", {"--max-normal-flip", "5"}, "--max-normal-flip"},
                                   {"blob.obj", "50", {"--min-radius-ratio", "0.7"}, "--min-radius-ratio"},
@@ -65,8 +65,8 @@ TEST(Advice, NamesOptionsThatReachTheTarget) {
 
 TEST(Advice, IsInTheReport) {
   const TemporaryFolder folder;
-  const Outcome outcome =
-      whittle({"simplify", data_file("cubes.obj"), "-o", folder / "out.obj", "--faces", "10", "--json", "-"});
+  const Outcome outcome = whittle({"simplify", data_file("cubes.obj"), "-o", folder / "out.obj", "--faces", "10",
+                                   "--topology", "keep", "--json", "-"});
   const auto json = parse_json(outcome.out);
   // Each of the 25 cubes has become a tetrahedron, with six edges.
   EXPECT_EQ(json["refused_at_end"]["link"], 150) << outcome;

@@ -117,7 +117,7 @@ TEST(Compare, PrintsATable) {
 }
 
 TEST(Compare, SaysThatATargetIsMissed) {
-  const Outcome outcome = whittle({"compare", data_file("cubes.obj"), "--faces", "4", "--json", "-"});
+  const Outcome outcome = whittle({"compare", data_file("bracket.stl"), "--faces", "4", "--json", "-"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome;
   const auto json = parse_json(outcome.out);
   for (const auto& [side, name] : {std::pair("whittle", "whittle"), {"openmesh", "OpenMesh"}}) {

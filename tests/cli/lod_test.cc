@@ -174,7 +174,7 @@ TEST(Lod, KeepsTextureCoordinatesAndMaterialsOfObj) {
 
 TEST(Lod, SaysWhichLevelsAreNotReached) {
   const TemporaryFolder folder;
-  const Outcome outcome = whittle({"lod", data_file("cubes.obj"), "--faces", "200,20,10", "-o", folder / "{i}.ply"});
+  const Outcome outcome = whittle({"lod", data_file("bracket.stl"), "--faces", "100,15,10", "-o", folder / "{i}.ply"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_THAT(outcome.err, testing::HasSubstr("2 levels not reached"));
 }

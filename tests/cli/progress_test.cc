@@ -86,7 +86,7 @@ Arguments with(Arguments arguments, const Arguments& more) {
 std::vector<Arguments> talkative_runs(const TemporaryFolder& folder) {
   return {{"simplify", data_file("cubes.obj"), "--faces", "none"},
           {"info", folder / "missing.obj"},
-          {"simplify", data_file("cubes.obj"), "-o", folder / "out.obj", "--faces", "10"}};
+          {"simplify", data_file("cubes.obj"), "-o", folder / "out.obj", "--faces", "10", "--topology", "keep"}};
 }
 
 TEST(Color, IsForTerminalsOnly) {

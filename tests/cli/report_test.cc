@@ -265,8 +265,8 @@ TEST_F(ReportCommand, WarnsOfWhatIsNoImage) {
 /// Pairs by reason, as the page has them.
 TEST_F(ReportCommand, ShowsWhyARunStopped) {
   const std::string page = folder / "why.html";
-  const Outcome outcome = whittle(
-      {"simplify", data_file("cubes.obj"), "-o", folder / "least.ply", "--faces", "20", "--page", page, "--json", "-"});
+  const Outcome outcome = whittle({"simplify", data_file("cubes.obj"), "-o", folder / "least.ply", "--faces", "20",
+                                   "--topology", "keep", "--page", page, "--json", "-"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
   const auto refused = nlohmann::json::parse(outcome.out)["refused_at_end"];
   const auto data = data_of(read_text(page));

@@ -136,7 +136,7 @@ std::vector<BadValue> bad_values() {
       {"-t", "automatic", "'auto'"},
       {"--max-pairs", "-1", "at least 0"},
       {"--max-pairs", "4294967296", "at most 4294967295"},
-      {"--topology", "loose", "keep|free"},
+      {"--topology", "loose", "auto|keep|free"},
       {"--normals", "smooth", "keep|recompute|drop"},
       {"--prune", "-2%", "S >= 0"},
       {"--format", "glb", io::format_names("|")},

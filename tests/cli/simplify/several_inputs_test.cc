@@ -136,8 +136,9 @@ TEST_F(SeveralInputs, MayFollowTheOptions) {
 
 TEST_F(SeveralInputs, GoOnAfterAFailureAndEndWithTheFirst) {
   write_text(folder_ / "bad.obj", "v 0 0 0\nf 1 2 9\n");
-  const Outcome outcome = simplify({"cubes.obj", "bad.obj", "blob.obj"},
-                                   {"-o", "out/{stem}.ply", "--faces", "90", "--strict", "--json", "-"});
+  const Outcome outcome =
+      simplify({"cubes.obj", "bad.obj", "blob.obj"},
+               {"-o", "out/{stem}.ply", "--faces", "90", "--topology", "keep", "--strict", "--json", "-"});
   EXPECT_EQ(outcome.exit_code, 3) << "the cubes can't have so few\n" << outcome;
   EXPECT_EQ(written(), (Arguments{"blob.ply", "cubes.ply"}));
   EXPECT_NE(outcome.err.find("whittle: bad.obj:2: "), std::string::npos) << outcome;

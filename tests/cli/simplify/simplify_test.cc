@@ -199,7 +199,7 @@ TEST(Simplify, NamesWhatItDoesNotCarry) {
 }
 
 TEST(Simplify, JoinsPartsThatLieCloserThanTheThreshold) {
-  const Simplified apart = simplify(data_file("cubes.obj"), {"--faces", "60"});
+  const Simplified apart = simplify(data_file("cubes.obj"), {"--faces", "60", "--topology", "keep"});
   EXPECT_EQ(n_faces(apart), 100U) << "25 cubes can't have fewer than 4 faces each";
   EXPECT_EQ(apart.report["output"]["components"], 25);
   EXPECT_EQ(apart.report["threshold_pairs"]["considered"], 0);

@@ -26,7 +26,7 @@ void expect_same(const IndexedMesh& a, const IndexedMesh& b, const std::string& 
 TEST(Simplify, IsDecimationAndPolishByEffort) {
   for (const auto& [name, mesh] : all_meshes()) {
     const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 4);
-    DecimateOptions options;
+    DecimateOptions options{.topology = whittle::Topology::automatic};
     expect_same(simplify(mesh, target, Effort::fast).mesh, decimate(mesh, target, options).mesh, name);
     options.cost = Cost::memoryless;
     for (const Effort effort : {Effort::normal, Effort::best}) {

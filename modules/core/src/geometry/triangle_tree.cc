@@ -84,7 +84,7 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::
   if (box.sizes().maxCoeff() > most_extent) throw std::invalid_argument("mesh is larger than 1e70; scale it");
   if (!origin.allFinite()) throw std::invalid_argument("origin of the hierarchy is not finite");
   const double farthest = (box.min() - origin).cwiseAbs().cwiseMax((box.max() - origin).cwiseAbs()).maxCoeff();
-  if (farthest > 0) unit_ = std::exp2(std::ilogb(farthest) + 1);
+  if (farthest > 0) unit_ = std::ldexp(1.0, std::ilogb(farthest) + 1);
   const std::size_t n = mesh.faces.size();
   LargeArray<Reference> references(n);
   Bounds bounds;

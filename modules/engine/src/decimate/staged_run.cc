@@ -58,13 +58,15 @@ Topology StagedRun::topology() {
   return *topology_;
 }
 
-/// Whether there are several parts, of which the least faces are some of those that are wanted.
+/// Whether there are several parts, of which the least faces are some of those that are wanted. Parts of few faces are
+/// a surface whose faces aren't joined.
 bool StagedRun::may_parts_matter() const {
   constexpr double least_faces = 4;  // of a tetrahedron
   constexpr double least_share = 0.01;
-  const std::size_t n_parts = find_parts(n_vertices_left(), surface().faces).count;
+  const auto n_parts = static_cast<double>(find_parts(n_vertices_left(), surface().faces).count);
   const double wanted = target_.share_of(n_faces_left(), n_vertices_left()) * static_cast<double>(n_faces_left());
-  return n_parts > 1 && least_faces * static_cast<double>(n_parts) >= least_share * wanted;
+  const bool is_soup = least_faces * n_parts > static_cast<double>(mesh_.faces.size());
+  return n_parts > 1 && !is_soup && least_faces * n_parts >= least_share * wanted;
 }
 
 /// Empty where the error alone counts, and with a host, which has guards of its own.

@@ -66,6 +66,21 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
   EXPECT_EQ(reason([](DecimateOptions& o) { o.refuse_intersections = true; }, target), "intersections are refused");
 }
 
+TEST(Blocks, AreLeftWherePartsMayVanish) {
+  const IndexedMesh mesh = joined(blob(3, 1), boxes(5, 5));
+  DecimateOptions options = memoryless();
+  options.topology = whittle::Topology::automatic;
+  const DecimateTarget target = DecimateTarget::faces(100);
+  const Decimation d = run(mesh, target, options, nullptr, small_blocks);
+  EXPECT_EQ(d.result.why_in_one_pass, "parts may vanish");
+  EXPECT_LE(d.result.n_faces, 100U);
+  EXPECT_GT(d.result.n_vanished_components, 0U);
+  const Decimation alone = run(mesh, target, options, nullptr, no_blocks);
+  EXPECT_EQ(d.mesh.positions, alone.mesh.positions);
+  EXPECT_EQ(d.mesh.faces, alone.mesh.faces);
+  EXPECT_EQ(run(blob(3, 1), target, options, nullptr, small_blocks).result.why_in_one_pass, "");
+}
+
 TEST(Blocks, TakeValencesAndPlacementsInRoundsAlone) {
   const IndexedMesh mesh = blob(3, 1);
   for (const auto& [weight, placement, why] : {std::tuple(1.0, Placement::optimal, "the cost has a term for valences"),

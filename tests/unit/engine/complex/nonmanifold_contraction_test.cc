@@ -151,6 +151,59 @@ TEST(FreeTopology, ClosesTunnels) {
   EXPECT_GT(d.mesh.faces.size(), 0U);
 }
 
+DecimateOptions automatic() {
+  DecimateOptions options;
+  options.topology = whittle::Topology::automatic;
+  return options;
+}
+
+TEST(AutomaticTopology, IsKeptOnOnePartAndOnSeparateFaces) {
+  for (const IndexedMesh& mesh : {torus(24, 6, 1.0, 0.1), grid(9, 9), soup(noisy_grid(9, 9, 0.3, 1))}) {
+    const DecimateTarget target = DecimateTarget::faces(4);
+    const Decimation kept = decimate(mesh, target);
+    const Decimation d = decimate(mesh, target, automatic());
+    EXPECT_EQ(d.mesh.positions, kept.mesh.positions);
+    EXPECT_EQ(d.mesh.faces, kept.mesh.faces);
+    EXPECT_EQ(d.result.n_vanished_components, 0U);
+  }
+}
+
+TEST(AutomaticTopology, LetsSmallPartsVanishFirst) {
+  IndexedMesh small = boxes(4, 4);
+  for (Vec3& p : small.positions) p = 0.01 * p + Vec3(5, 0, 0);
+  const IndexedMesh mesh = joined(spheres(2, 3), small);
+  for (const auto cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
+    DecimateOptions options = automatic();
+    options.cost = cost;
+    const Decimation d = decimate(mesh, DecimateTarget::faces(60), options);
+    EXPECT_LE(d.result.n_faces, 60U);
+    EXPECT_EQ(d.result.n_vanished_components, 16U) << to_string(cost);
+    EXPECT_GT(decimate(mesh, DecimateTarget::faces(60), {.cost = cost}).result.n_faces, 60U);
+  }
+}
+
+TEST(AutomaticTopology, KeepsAClosedManifoldClosed) {
+  const IndexedMesh mesh = joined(boxes(3, 3), joined(torus(24, 6, 1.0, 0.1), spheres(3, 2)));
+  for (const std::uint64_t n_faces : {200U, 100U, 40U, 10U}) {
+    const Decimation d = decimate(mesh, DecimateTarget::faces(n_faces), automatic());
+    const Topology after = topology(d.mesh);
+    EXPECT_TRUE(after.closed()) << n_faces;
+    EXPECT_TRUE(after.manifold()) << n_faces;
+    EXPECT_EQ(after.misoriented_edges, 0) << n_faces;
+    EXPECT_GT(after.components, 0U);
+  }
+}
+
+/// The sides of a thin plate would cancel out once it is flat.
+TEST(AutomaticTopology, KeepsAThinPlateOfAnOpenMesh) {
+  IndexedMesh plate = tessellated_cube(6);
+  for (Vec3& p : plate.positions) p = Vec3(10 * p.x(), 10 * p.y(), 1e-3 * p.z());
+  IndexedMesh bumps = noisy_grid(40, 40, 0.3, 1);
+  const IndexedMesh mesh = joined(plate, bumps);
+  const Decimation d = decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 10), automatic());
+  EXPECT_EQ(d.result.n_vanished_components, 0U);
+}
+
 TEST(NonmanifoldContraction, ResultsDoNotDependOnThreads) {
   const IndexedMesh mesh = spheres(3, 3, 0.02);
   DecimateOptions options = with_threshold(0.2);

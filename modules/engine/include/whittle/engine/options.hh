@@ -25,8 +25,8 @@ enum class Boundary {
 /// What an edge contraction may do to the topology. Threshold pairs join parts under all.
 enum class Topology {
   keep,       ///< Nothing: it closes no tunnel, opens no hole, joins nothing, and no part vanishes.
-  automatic,  ///< As `keep` on a mesh of one part, and where a tetrahedron for each part takes less than a 100th of the
-              ///< faces wanted. Else parts and thin sheets may vanish, in the order of cost: faces that nothing
+  automatic,  ///< As `keep` on a mesh of one part, on one whose parts have less than four faces in the mean, and where
+              ///< a tetrahedron for each part takes less than a 100th of the faces wanted. Else parts and thin sheets may vanish, in the order of cost: faces that nothing
               ///< covers afterwards cost their area times the square of their length (`vanishing_cost`). A
               ///< mesh that is a closed manifold stays one.
   free        ///< Anything but taking the last face: tunnels close, closed parts vanish. Faces that coincide then are

@@ -49,7 +49,7 @@ class AttributeQuadrics {
   bool is_simple(const VertexPair& pair) const { return has_one(pair.a) && has_one(pair.b); }
   /// As `of`, to the bit. \param pairs four edges that are simple
   WHITTLE_INLINE PairAttributesLanes of_four(const VertexPair* pairs, const PointLanes<Double4>& a_to_b) const {
-    const auto numbers_at = [&](Index v) { return wedges_.numbers(first_[v]); };
+    const auto numbers_at = [&](Index v) WHITTLE_INLINE_LAMBDA { return wedges_.numbers(first_[v]); };
     const FourWedges first{numbers_at(pairs[0].a), numbers_at(pairs[1].a), numbers_at(pairs[2].a),
                            numbers_at(pairs[3].a)};
     const FourWedges second{numbers_at(pairs[0].b), numbers_at(pairs[1].b), numbers_at(pairs[2].b),
