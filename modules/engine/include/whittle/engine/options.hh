@@ -26,9 +26,9 @@ enum class Boundary {
 enum class Topology {
   keep,       ///< Nothing: it closes no tunnel, opens no hole, joins nothing, and no part vanishes.
   automatic,  ///< As `keep` on a mesh of one part, on one whose parts have less than four faces in the mean, and where
-              ///< a tetrahedron for each part takes less than a 100th of the faces wanted. Else parts and thin sheets may vanish, in the order of cost: faces that nothing
-              ///< covers afterwards cost their area times the square of their length (`vanishing_cost`). A
-              ///< mesh that is a closed manifold stays one.
+              ///< a tetrahedron for each part takes less than a 100th of the faces wanted. Else parts and thin sheets
+              ///< may vanish, in the order of cost: faces that nothing covers afterwards cost their area times the
+              ///< square of their length (`vanishing_cost`). A mesh that is a closed manifold stays one.
   free        ///< Anything but taking the last face: tunnels close, closed parts vanish. Faces that coincide then are
               ///< left out. What vanishes costs nothing more.
 };
