@@ -43,7 +43,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& input, const Decimat
     faces_.push_back(f);
     sides_.add(f, n_sides[i]);
   }
-  settle_topology();
+  settle_topology(mesh.faces.size());
   if (options.boundary == Boundary::free) options_.quadric.boundary_weight = 0;
 
   std::vector<bool> locked(positions_.size());

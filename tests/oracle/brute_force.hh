@@ -65,7 +65,7 @@ class BruteForceDecimater {
   bool is_allowed(const Choice& choice) const;
   bool keeps_topology(Index a, Index b) const;
   bool is_no_less_manifold(Index a, Index b) const;
-  void settle_topology();
+  void settle_topology(std::size_t n_input_faces);
   bool opens_closed_manifold(Index a, Index b) const;
   double vanishing_cost(const Choice& choice) const;
   bool keeps_normals(const Triangle& face, Index v, const Vec3& to) const;

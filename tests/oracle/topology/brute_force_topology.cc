@@ -58,8 +58,10 @@ bool is_closed_manifold_at(const std::set<Index>& vertices, const std::vector<Tr
 }  // namespace
 
 /// \pre a tetrahedron for each part takes more than a 100th of the faces wanted, as in all small meshes
-void BruteForceDecimater::settle_topology() {
-  if (options_.topology == Topology::automatic && count_parts(faces_) <= 1) options_.topology = Topology::keep;
+void BruteForceDecimater::settle_topology(std::size_t n_input_faces) {
+  const std::size_t n_parts = count_parts(faces_);
+  const bool keeps_parts = n_parts <= 1 || 4 * n_parts > n_input_faces;
+  if (options_.topology == Topology::automatic && keeps_parts) options_.topology = Topology::keep;
   stays_closed_ = options_.topology == Topology::automatic && is_closed_manifold_at(vertices_of(faces_), faces_);
 }
 

@@ -24,12 +24,11 @@ bool is_beyond_target(const DecimateResult& in_blocks, const DecimateResult& aft
          !(in_blocks.max_cost < after.max_cost);
 }
 
-/// Contracts in blocks, unless parts may vanish: blocks keep them.
-DecimateResult contract_in_blocks_if_parts_stay(StagedRun& run, const DecimateTarget& stop, const BlockPlan& plan) {
-  const DecimateResult result = run.contract_in_blocks(stop, plan);
-  const bool is_any = result.why_in_one_pass.empty() && !run.is_cancelled();
-  if (!is_any || run.topology() == Topology::keep) return result;
+/// Contracts anew in blocks, which keep parts, as far as none of these need vanish. In exact order a part might vanish
+/// before what blocks contract.
+DecimateResult contract_again_in_blocks(StagedRun& run, const BlockPlan& plan) {
   run.begin_anew(run.report().progress);
+  if (!is_exact_in_blocks(run.options())) return run.contract_in_blocks(run.target_with_parts(), plan);
   run.report().result.why_in_one_pass = "parts may vanish";
   return run.report().result;
 }
@@ -37,9 +36,12 @@ DecimateResult contract_in_blocks_if_parts_stay(StagedRun& run, const DecimateTa
 /// Contracts in blocks where that is worth while, and then to each checkpoint in turn.
 void contract_to_target(StagedRun& run, const BlockPlan& plan) {
   const std::vector<DecimateTarget> all_stops = run.stops();
-  const DecimateResult in_blocks =
-      contract_in_blocks_if_parts_stay(run, target_of_blocks(run, all_stops.front(), plan), plan);
-  const bool goes_on_in_rounds = in_blocks.why_in_one_pass.empty() && goes_to_target(run.options()) &&
+  DecimateResult in_blocks = run.contract_in_blocks(target_of_blocks(run, all_stops.front(), plan), plan);
+  const bool has_blocks = in_blocks.why_in_one_pass.empty() && !run.is_cancelled();
+  const bool may_parts_vanish = has_blocks && run.topology() == Topology::automatic;
+  if (may_parts_vanish) in_blocks = contract_again_in_blocks(run, plan);
+  const bool goes_on_in_rounds = !may_parts_vanish && in_blocks.why_in_one_pass.empty() &&
+                                 goes_to_target(run.options()) &&
                                  is_nearly_manifold(in_blocks.before, all_stops.front(), run.mesh());
   const std::vector<DecimateTarget> stops = goes_on_in_rounds ? all_stops : run.stops();
   const auto contract_to_stop = [&](std::size_t i) { return run.contract(stops[i], i + 1 == stops.size()); };

@@ -1,5 +1,6 @@
 #include "decimate/staged_run.hh"
 
+#include <algorithm>
 #include <utility>
 
 #include "whittle/core/parts.hh"
@@ -60,13 +61,22 @@ Topology StagedRun::topology() {
 
 /// Whether there are several parts, of which the least faces are some of those that are wanted. Parts of few faces are
 /// a surface whose faces aren't joined.
-bool StagedRun::may_parts_matter() const {
+bool StagedRun::may_parts_matter() {
   constexpr double least_faces = 4;  // of a tetrahedron
   constexpr double least_share = 0.01;
-  const auto n_parts = static_cast<double>(find_parts(n_vertices_left(), surface().faces).count);
-  const double wanted = target_.share_of(n_faces_left(), n_vertices_left()) * static_cast<double>(n_faces_left());
-  const bool is_soup = least_faces * n_parts > static_cast<double>(mesh_.faces.size());
-  return n_parts > 1 && !is_soup && least_faces * n_parts >= least_share * wanted;
+  n_parts_ = static_cast<double>(find_parts(n_vertices_left(), surface().faces).count);
+  const bool is_soup = least_faces * n_parts_ > static_cast<double>(mesh_.faces.size());
+  return n_parts_ > 1 && !is_soup && least_faces * n_parts_ >= least_share * n_faces_wanted();
+}
+
+double StagedRun::n_faces_wanted() const {
+  return target_.share_of(mesh_.faces.size(), mesh_.positions.size()) * static_cast<double>(mesh_.faces.size());
+}
+
+DecimateTarget StagedRun::target_with_parts() const {
+  constexpr double least_factor = 8;
+  constexpr double faces_of_part = 16;
+  return target_.with_counts_times(std::max(least_factor, faces_of_part * n_parts_ / std::max(1.0, n_faces_wanted())));
 }
 
 /// Empty where the error alone counts, and with a host, which has guards of its own.

@@ -48,6 +48,8 @@ class StagedRun {
   void begin_anew(double progress);
   /// That of the options; of `automatic` what it comes to on this mesh.
   Topology topology();
+  /// The target with counts at which none of the parts need vanish. \pre `topology` was asked for, and is automatic
+  DecimateTarget target_with_parts() const;
   /// Whether stages from now on keep their steps, whatever the options say.
   void keep_steps_of_all(bool keeps) { keeps_steps_of_all_ = keeps; }
 
@@ -67,7 +69,8 @@ class StagedRun {
 
  private:
   WorkingSurface input() const;
-  bool may_parts_matter() const;
+  bool may_parts_matter();
+  double n_faces_wanted() const;
   const KeptAreas& areas();
   bool is_listener_told_at_end() const { return options_.listener && target_.error_limit(); }
   bool keeps_steps() const { return options_.keep_steps || is_listener_told_at_end() || keeps_steps_of_all_; }
@@ -96,6 +99,7 @@ class StagedRun {
   State state_;
   bool keeps_steps_of_all_ = false;
   std::optional<Topology> topology_;                     ///< once it is asked for
+  double n_parts_ = 0;                                   ///< likewise, if the options' is automatic
   std::optional<NonmanifoldCounts> nonmanifold_before_;  ///< of the input
   std::optional<KeptAreas> areas_;                       ///< of the input, once they are asked for
 };
