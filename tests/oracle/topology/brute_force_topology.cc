@@ -75,8 +75,9 @@ bool BruteForceDecimater::opens_closed_manifold(Index a, Index b) const {
 
 /// Of the faces that vanish and that none covers: area times the longest side ^ (dimension - 2).
 double BruteForceDecimater::vanishing_cost(const Choice& choice) const {
-  const auto& [cost, a, b, is_edge, cheapest, is_minimum, position] = choice;
-  if (!is_edge || options_.topology != Topology::automatic || keeps_topology(a, b)) return 0;
+  const Index a = choice.low;
+  const Index b = choice.high;
+  if (!choice.is_edge || options_.topology != Topology::automatic || keeps_topology(a, b)) return 0;
   const double by_area = cost_traits(*options_.cost).dimension;
   const double of_quadrics = options_.quadric.weights == Weights::uniform ? 2 : by_area;
   const double dimension =
@@ -97,7 +98,7 @@ double BruteForceDecimater::vanishing_cost(const Choice& choice) const {
     if (others.size() == 1 && !have(after, {b, others[0]})) {
       sum += cost_of(positions_[a], positions_[b], positions_[others[0]]);
     } else if (others.size() == 2 && !have(after, {b, others[0], others[1]})) {
-      sum += cost_of(position, positions_[others[0]], positions_[others[1]]);
+      sum += cost_of(choice.position, positions_[others[0]], positions_[others[1]]);
     }
   }
   return sum;
