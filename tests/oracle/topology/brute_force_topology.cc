@@ -5,6 +5,7 @@
 
 #include "oracle/brute_force.hh"
 #include "support/face_list.hh"
+#include "whittle/engine/formula/edge_length_term.hh"
 
 namespace whittle::test {
 namespace {
