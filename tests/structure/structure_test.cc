@@ -8,6 +8,7 @@
 #include "structure/layers.hh"
 #include "structure/sizes.hh"
 #include "structure/source_tree.hh"
+#include "structure/unbuilt.hh"
 #include "structure/words.hh"
 
 namespace {
@@ -48,6 +49,10 @@ TEST(Sizes, FunctionsAreShort) { EXPECT_THAT(long_functions(project(), most_line
 TEST(Sizes, HeadersAreShort) { EXPECT_THAT(long_headers(project(), most_lines_of_a_header), IsEmpty()); }
 
 TEST(Sizes, FoldersAreSmall) { EXPECT_THAT(full_folders(project(), most_files_of_a_folder), IsEmpty()); }
+
+TEST(Tests, AreBuilt) {
+  EXPECT_THAT(unbuilt_tests(project(), read_source_tree(WHITTLE_SOURCE_DIR, {"tests", "data"}, {".txt"})), IsEmpty());
+}
 
 /// Of modules but web, which one compiler compiles.
 TEST(Words, OfSomeCompilersStandInOneHeader) {
@@ -169,6 +174,14 @@ TEST(FolderCheck, FindsFullFolders) {
     if (i > 0) tree["a/b/" + std::to_string(i) + ".hh"] = "";
   }
   EXPECT_THAT(full_folders(tree, 20), ElementsAre("a has 21 files"));
+}
+
+TEST(BuildCheck, FindsTestsThatNobodyNames) {
+  const SourceTree tree = {{"tests/a/one_test.cc", ""},  {"tests/a/b/two_test.cc", ""}, {"tests/a/b/three_test.cc", ""},
+                           {"tests/c/four_test.cc", ""}, {"tests/five_test.cc", ""},    {"tests/five.cc", ""}};
+  const SourceTree scripts = {{"tests/a/CMakeLists.txt", "one_test.cc b/two_test.cc three_test.cc"},
+                              {"tests/c/CMakeLists.txt", "file(GLOB sources *.cc)"}};
+  EXPECT_THAT(unbuilt_tests(tree, scripts), ElementsAre("tests/a/b/three_test.cc", "tests/five_test.cc"));
 }
 
 TEST(WordCheck, FindsWordsOfSomeCompilers) {

@@ -91,14 +91,13 @@ TEST(Blocks, TakeValencesAndPlacementsInRoundsAlone) {
                                                std::tuple(0.0, Placement::endpoint, "vertices stay where they are"),
                                                std::tuple(0.0, Placement::midpoint, "vertices stay where they are"),
                                                std::tuple(0.0, Placement::optimal, "")}) {
-    const auto reason = [&mesh, w = weight, p = placement](DecimateOptions options, const StageLimits& limits) {
+    const auto reason = [&mesh, w = weight, p = placement](DecimateOptions options) {
       options.valence_weight = w;
       options.quadric.placement = p;
-      return why_not_in_blocks(mesh, DecimateTarget::faces(200), options, nullptr, small_blocks, false, limits);
+      return why_not_in_blocks(mesh, DecimateTarget::faces(200), options, nullptr, small_blocks, false);
     };
-    EXPECT_EQ(reason(memoryless(), {}), "");
-    EXPECT_EQ(reason(memoryless(), {.displacement = 0.1}), why);
-    EXPECT_EQ(reason(plain_quadrics(2), {}), why);
+    EXPECT_EQ(reason(memoryless()), "");
+    EXPECT_EQ(reason(plain_quadrics(2)), why);
   }
 }
 
