@@ -26,6 +26,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int n_bins = 16;
 constexpr double most_extent = 1e70;
+/// Of the unit: a square of so large an extent in it is finite.
+constexpr int least_exponent = -270;
 
 float half_surface(const FloatBox& box) {
   const Eigen::Vector3f side = box.max() - box.min();
@@ -84,7 +86,7 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::
   if (box.sizes().maxCoeff() > most_extent) throw std::invalid_argument("mesh is larger than 1e70; scale it");
   if (!origin.allFinite()) throw std::invalid_argument("origin of the hierarchy is not finite");
   const double farthest = (box.min() - origin).cwiseAbs().cwiseMax((box.max() - origin).cwiseAbs()).maxCoeff();
-  if (farthest > 0) unit_ = std::ldexp(1.0, std::ilogb(farthest) + 1);
+  if (farthest > 0) unit_ = std::ldexp(1.0, std::max(least_exponent, std::ilogb(farthest) + 1));
   const std::size_t n = mesh.faces.size();
   LargeArray<Reference> references(n);
   Bounds bounds;

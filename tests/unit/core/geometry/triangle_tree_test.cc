@@ -344,6 +344,21 @@ TEST(TriangleTree, CopesWithSizesThatShrinkForever) {
   }
 }
 
+TEST(TriangleTree, CopesWithPointsFarFromATinyMesh) {
+  for (const double size : {1e-60, 1e-70, 1e-150, 1e-300, 1e-310}) {
+    IndexedMesh mesh = test::grid(9, 9);
+    for (Vec3& p : mesh.positions) p *= size;
+    const TriangleTree tree(mesh, Vec3::Zero());
+    for (const double distance : {1e-3, 1.0, 1e20, 1e70}) {
+      const Vec3 point(-distance, -distance, distance);
+      const ClosestPoint expected = TriangleTree::nearest_without_tree(mesh, point);
+      const ClosestPoint found = tree.nearest(point);
+      EXPECT_EQ(found.face, expected.face) << size << ' ' << distance;
+      EXPECT_EQ(found.distance_sq, expected.distance_sq) << size << ' ' << distance;
+    }
+  }
+}
+
 TEST(TriangleTree, CopesWithThousandsOfFacesInOnePlace) {
   IndexedMesh mesh = test::single_triangle();
   mesh.faces.assign(5000, mesh.faces[0]);
