@@ -28,7 +28,7 @@ rm "$folder"/level_*.off
 "$whittle" report "$data/knot.ply" "$folder/knot.ply" -o "$folder/errors.html" --quiet
 "$whittle" simplify "$data/nonmanifold.obj" -o "$folder/nonmanifold.ply" --face-ratio 70% --quiet
 "$whittle" report "$data/nonmanifold.obj" "$folder/nonmanifold.ply" -o "$folder/nonmanifold.html" --quiet
-"$whittle" simplify "$data/cubes.obj" -o "$folder/least.ply" --faces 20 --page "$folder/why.html" --quiet 2>/dev/null
+"$whittle" simplify "$data/cubes.obj" -o "$folder/least.ply" --faces 20 --topology keep --page "$folder/why.html" --quiet 2>/dev/null
 # Levels of detail, and a mesh alone.
 "$whittle" lod "$data/blob.obj" -o "$folder/lod_{i}.ply" --ratios .3,.1 --quiet
 "$whittle" report "$data/blob.obj" "$folder/lod_0.ply" "$folder/lod_1.ply" -o "$folder/levels.html" --quiet
