@@ -26,7 +26,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int n_bins = 16;
 constexpr double most_extent = 1e70;
-/// Of the unit: a square of so large an extent in it is finite.
+/// Of the unit, so that squares of distances of 1e70 are finite in it.
 constexpr int least_exponent = -270;
 
 float half_surface(const FloatBox& box) {
@@ -99,6 +99,7 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::
   if (meter != nullptr) meter->update(0);
   nodes_.reserve(n);
   nodes_.resize(1);
+  slot_of_face_.resize(n);
   build(0, references, 0, bounds, 0, meter);
   nodes_.shrink_to_fit();
   list_slots(mesh, references, meter);
@@ -107,7 +108,6 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::
 void TriangleTree::list_slots(const IndexedMesh& mesh, std::span<const Reference> references,
                               detail::ProgressMeter* meter) {
   slots_.reserve(references.size());
-  slot_of_face_.resize(references.size());
   std::vector<Index> new_numbers(mesh.positions.size(), invalid_index);
   for (const Reference& reference : references) {
     if (slots_.size() % (1U << 16) == 0 && meter != nullptr) meter->update(0);
@@ -134,7 +134,7 @@ double TriangleTree::distance_sq_to_box(const Vec3& point, const Box& box) {
 void TriangleTree::build(std::uint32_t node, std::span<Reference> references, std::uint32_t first, const Bounds& bounds,
                          std::size_t depth, detail::ProgressMeter* meter) {
   constexpr std::size_t large = 4096;  // takes about a millisecond
-  if (meter != nullptr && references.size() >= large) meter->update(first / static_cast<double>(slots_.capacity()));
+  if (meter != nullptr && references.size() >= large) meter->update(first / static_cast<double>(slot_of_face_.size()));
   nodes_[node].box = bounds.box;
   if (references.size() <= max_leaf) {
     nodes_[node].first = first;

@@ -224,7 +224,7 @@ void ContractionLoop::finish(PairsAtOnce::Entry& entry) {
 }
 
 void ContractionLoop::refuse_for_error(const Pair& pair) {
-  if (refused_.refuser(pair.id) == RefusedPairs::none) ++result_.refusals[Refusal::error];
+  if (!is_refused(pair)) ++result_.refusals[Refusal::error];
   refused_.add(pair, refused_for_error);
 }
 
@@ -375,11 +375,15 @@ std::optional<std::size_t> ContractionLoop::find_refusal_at(const Vec3& position
   return std::nullopt;
 }
 
+/// If so before its turn, it was queued twice.
+bool ContractionLoop::is_refused(const Pair& pair) const {
+  const RefusedPairs::Refuser refuser = refused_.refuser(pair.id);
+  return refuser != RefusedPairs::none && refuser != raised_for_faces;
+}
+
 /// Notes that the guard of this number refused the pair.
 void ContractionLoop::refuse(std::size_t guard) {
-  const RefusedPairs::Refuser before = refused_.refuser(profile_.pair.id);
-  const bool is_known = before != RefusedPairs::none && before != raised_for_faces;  // it was queued twice
-  if (!is_known) guards_[guard]->count(result_.refusals);
+  if (!is_refused(profile_.pair)) guards_[guard]->count(result_.refusals);
   note_refusal(profile_.pair, guard);
 }
 

@@ -66,6 +66,7 @@ class ContractionLoop {
   std::optional<double> settle_cost(const RankedPair& ranked, const Vec3& position);
   std::optional<std::size_t> find_refusal();
   std::optional<std::size_t> find_refusal_at(const Vec3& position);
+  bool is_refused(const Pair& pair) const;
   void refuse(std::size_t guard);
   bool ask_guards_to_give_way();
   void note_refusal(const Pair& pair, std::size_t guard);
