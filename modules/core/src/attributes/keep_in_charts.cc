@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -119,13 +120,14 @@ class ChartKeeper {
     const Vec2 centroid = (corners[0] + corners[1] + corners[2]) / 3;
     int n_points = 0;
     int n_over_others = 0;
+    Index near = invalid_index;
     for (const auto& [size, points_a_side, is_inner] : rings) {
       for (std::size_t k = 0; k < 3; ++k) {
         if (!is_inner && !border_sides_[f][k]) continue;
         const Vec2 from = centroid + size * (corners[k] - centroid);
         const Vec2 side = size * (corners[(k + 1) % 3] - corners[k]);
         for (int i = 0; i < points_a_side; ++i) {
-          n_over_others += atlas_.is_on_another(from + (i + 0.5) / points_a_side * side, charts_[f]) ? 1 : 0;
+          n_over_others += atlas_.is_on_another(from + (i + 0.5) / points_a_side * side, charts_[f], near) ? 1 : 0;
         }
         n_points += points_a_side;
       }
@@ -164,11 +166,15 @@ class ChartKeeper {
     return sum / (3.0 * static_cast<double>(faces_at_.of(w).size()));
   }
 
-  /// The area over others of the faces at w; 0 if there is none. \param share_of a face
+  /// The area over others of the faces at w; 0 if there is none; `most` or more if it is so much.
+  /// \param share_of a face
   template <class ShareOf>
-  double area_over_others(Index w, const ShareOf& share_of) const {
+  double area_over_others(Index w, double most, const ShareOf& share_of) const {
     double sum = 0;
-    for (const Index f : border_faces_at_.of(w)) sum += share_of(f) * std::abs(area(f));
+    for (const Index f : border_faces_at_.of(w)) {
+      sum += share_of(f) * std::abs(area(f));
+      if (sum >= most) break;
+    }
     return sum;
   }
 
@@ -178,7 +184,8 @@ class ChartKeeper {
     std::optional<Move> best;
     const Vec2 from = at(w);
     const Vec2 way = middle_of_neighbours(w) - from;
-    const double before = area_over_others(w, [this](Index f) { return shares_[f]; });
+    constexpr double all = std::numeric_limits<double>::infinity();
+    const double before = area_over_others(w, all, [this](Index f) { return shares_[f]; });
     std::vector<double> areas;
     for (const Index f : faces_at_.of(w)) areas.push_back(area(f));
     for (const double step : steps) {
@@ -187,7 +194,7 @@ class ChartKeeper {
       for (std::size_t i = 0; i < areas.size(); ++i) is_any_turned |= area(faces_at_.of(w)[i]) * areas[i] < 0;
       if (is_any_turned) continue;
       const double length = step * way.norm();
-      const double after = area_over_others(w, [this](Index f) { return share_over_others(f); });
+      const double after = area_over_others(w, before, [this](Index f) { return share_over_others(f); });
       const Move found{w, at(w), length, (before - after) / length, after == 0};
       if (found.gain > 0 && (!best || found.is_better_than(*best))) best = found;
       if (found.is_enough) break;

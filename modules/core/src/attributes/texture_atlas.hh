@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -20,18 +19,23 @@ class TextureAtlas {
   TextureAtlas(const IndexedMesh& original, std::span<const double> texcoords, std::size_t n_components,
                std::vector<Index> charts);
 
-  bool has_several_charts() const { return n_charts_ > 1; }
+  bool has_several_charts() const { return groups_.size() > 1; }
+  /// Charts are numbered group by group, from 0. \return invalid_index for a wedge of no face
   Index chart_of(Index wedge) const { return chart_of_wedge_[wedge]; }
 
   /// Twice the area of a chart on the image. \pre there are several charts
   double area(Index chart) const { return area_of_chart_[chart]; }
   /// Whether a point lies on another chart of the same group, and not on its own. Charts of other groups have other
   /// images. \pre there are several charts
-  bool is_on_another(const Vec2& point, Index own) const;
+  /// \param near invalid_index, or as a call for a point near by left it, which saves a search
+  bool is_on_another(const Vec2& point, Index own, Index& near) const;
 
  private:
   using Box = Eigen::AlignedBox2d;
 
+  struct Numbers {
+    std::size_t begin, end;
+  };
   struct Face {
     ImageTriangle corners;  ///< counter-clockwise
     Index chart;
@@ -43,20 +47,24 @@ class TextureAtlas {
     Index chart;
   };
 
+  void number_charts(const IndexedMesh& original);
   void add_faces(const IndexedMesh& original, std::span<const double> texcoords, std::size_t n_components);
   void make_grid();
+  void divide(std::size_t n_cells);
   std::size_t cell_along(int axis, double number) const;
+  /// The first of the faces that a point lies on, or invalid_index.
+  Index face_at(const Vec2& point, std::span<const Entry> entries) const;
   template <class Use>
   void for_each_cell(const Box& box, const Use& use) const;
 
   std::vector<Index> chart_of_wedge_;
-  std::vector<Index> group_of_chart_;  ///< of its first face
+  std::vector<Numbers> groups_;  ///< per chart, the numbers of the charts of its group
   std::vector<double> area_of_chart_;
-  std::size_t n_charts_ = 0;
-  std::vector<Face> faces_;  ///< that have an area on the image
+  std::vector<Face> faces_;  ///< that have an area on the image; in the order of their charts
   Box box_;
-  std::array<std::size_t, 2> n_cells_{1, 1};
-  IndexLists<Entry, std::size_t> cells_;  ///< the faces whose boxes touch each
+  std::size_t n_cells_ = 1;  ///< along each axis
+  Vec2 cells_a_unit_ = Vec2::Zero();
+  IndexLists<Entry, std::size_t> cells_;  ///< the faces whose boxes touch each, in their order
 };
 
 }  // namespace whittle::detail
