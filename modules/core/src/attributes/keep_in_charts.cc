@@ -120,7 +120,7 @@ class ChartKeeper {
     const Vec2 centroid = (corners[0] + corners[1] + corners[2]) / 3;
     int n_points = 0;
     int n_over_others = 0;
-    Index near = invalid_index;
+    TextureAtlas::Near near;
     for (const auto& [size, points_a_side, is_inner] : rings) {
       for (std::size_t k = 0; k < 3; ++k) {
         if (!is_inner && !border_sides_[f][k]) continue;

@@ -122,8 +122,9 @@ Index TextureAtlas::face_at(const Vec2& point, std::span<const Entry> entries) c
   return found == entries.end() ? invalid_index : found->face;
 }
 
-bool TextureAtlas::is_on_another(const Vec2& point, Index own, Index& near) const {
-  if (near != invalid_index && faces_[near].chart == own && is_in(point, faces_[near].corners)) return false;
+bool TextureAtlas::is_on_another(const Vec2& point, Index own, Near& near) const {
+  const auto is_at = [&](Index face) { return face != invalid_index && is_in(point, faces_[face].corners); };
+  if (is_at(near.own)) return false;
   const std::size_t cell = cell_along(1, point.y()) * n_cells_ + cell_along(0, point.x());
   const std::span<const Entry> entries = cells_.of(static_cast<Index>(cell));
   const auto from = [&](std::size_t chart) {
@@ -131,11 +132,12 @@ bool TextureAtlas::is_on_another(const Vec2& point, Index own, Index& near) cons
   };
   const auto own_begin = from(own);
   const auto own_end = from(own + 1);
-  near = face_at(point, {own_begin, own_end});
-  if (near != invalid_index) return false;
-  const auto& [begin, end] = groups_[own];
-  return face_at(point, {from(begin), own_begin}) != invalid_index ||
-         face_at(point, {own_end, from(end)}) != invalid_index;
+  near.own = face_at(point, {own_begin, own_end});
+  if (near.own != invalid_index) return false;
+  if (is_at(near.other)) return true;
+  near.other = face_at(point, {from(groups_[own].begin), own_begin});
+  if (near.other == invalid_index) near.other = face_at(point, {own_end, from(groups_[own].end)});
+  return near.other != invalid_index;
 }
 
 }  // namespace whittle::detail

@@ -14,6 +14,12 @@ namespace whittle::detail {
 /// The charts of an original on a texture's image: which of them are where.
 class TextureAtlas {
  public:
+  /// The faces that a point was found on. Points near by are looked for on them first.
+  struct Near {
+    Index own = invalid_index;    ///< of its chart
+    Index other = invalid_index;  ///< of another
+  };
+
   /// \param texcoords the first two of `n_components` finite numbers, for each wedge of the original
   /// \param charts of each wedge
   TextureAtlas(const IndexedMesh& original, std::span<const double> texcoords, std::size_t n_components,
@@ -27,8 +33,8 @@ class TextureAtlas {
   double area(Index chart) const { return area_of_chart_[chart]; }
   /// Whether a point lies on another chart of the same group, and not on its own. Charts of other groups have other
   /// images. \pre there are several charts
-  /// \param near invalid_index, or as a call for a point near by left it, which saves a search
-  bool is_on_another(const Vec2& point, Index own, Index& near) const;
+  /// \param near what a call for a point near by and the same chart left there, or nothing
+  bool is_on_another(const Vec2& point, Index own, Near& near) const;
 
  private:
   using Box = Eigen::AlignedBox2d;
