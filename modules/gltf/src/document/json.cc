@@ -20,31 +20,43 @@ bool are_numbers(const Json& json) {
   return json.is_array() && std::all_of(json.begin(), json.end(), [](const Json& x) { return x.is_number(); });
 }
 
-/// Watches a document while it is parsed.
-class Limits {
+/// Reads through a document before it is parsed. (A callback of the parser would do the same, but with one the parser
+/// looks through an array again after each object in it.)
+class Limits : public nlohmann::json_sax<Json> {
  public:
   explicit Limits(const std::string& file) : file_(file) {}
 
-  void see(int depth, Json::parse_event_t event) {
-    if (depth > deepest_nesting) throw io::ReadError(file_, "the document is nested too deeply");
-    switch (event) {
-      case Json::parse_event_t::object_start:
-        n_names_.push_back(0);
-        break;
-      case Json::parse_event_t::object_end:
-        n_names_.pop_back();
-        break;
-      case Json::parse_event_t::key:
-        if (++n_names_.back() > most_names) throw io::ReadError(file_, "an object of the document has too many names");
-        break;
-      default:
-        break;
-    }
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return start(); }
+  bool start_array(std::size_t) override { return start(); }
+  bool end_object() override { return end(); }
+  bool end_array() override { return end(); }
+  bool key(string_t&) override {
+    if (++n_names_.back() > most_names) throw io::ReadError(file_, "an object of the document has too many names");
+    return true;
   }
+  /// The parser says it.
+  bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
 
  private:
+  bool start() {
+    if (n_names_.size() >= deepest_nesting) throw io::ReadError(file_, "the document is nested too deeply");
+    n_names_.push_back(0);
+    return true;
+  }
+  bool end() {
+    n_names_.pop_back();
+    return true;
+  }
+
   const std::string& file_;
-  std::vector<std::size_t> n_names_;
+  std::vector<std::size_t> n_names_;  ///< of each object and array that is open
 };
 
 /// The message of the JSON library, without its number.
@@ -58,11 +70,9 @@ std::string reason_of(const Json::exception& error) {
 
 Json parse_json(std::string_view text, const std::string& file) {
   Limits limits(file);
+  Json::sax_parse(text.begin(), text.end(), &limits);
   try {
-    return Json::parse(text.begin(), text.end(), [&](int depth, Json::parse_event_t event, Json&) {
-      limits.see(depth, event);
-      return true;
-    });
+    return Json::parse(text.begin(), text.end());
   } catch (const Json::parse_error& error) {
     throw io::ReadError(file, {.byte = error.byte}, "this is no valid JSON: " + reason_of(error));
   } catch (const Json::exception& error) {

@@ -13,7 +13,7 @@ namespace whittle::gltf {
 using Json = nlohmann::ordered_json;
 
 /// Deeper ones are refused, as all that walks through a document recurses.
-inline constexpr int deepest_nesting = 200;
+inline constexpr std::size_t deepest_nesting = 200;
 /// An object with more names is refused: looking one up takes time in proportion to their number.
 inline constexpr std::size_t most_names = 10'000;
 
