@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "whittle/core/detail/index_lists.hh"
@@ -41,6 +42,11 @@ std::vector<double> areas_of(const IndexedMesh& mesh, const Frame& frame, unsign
 }
 
 }  // namespace
+
+double LocalFunction::gain(const Vec3& way) const {
+  const double most = holds ? std::numeric_limits<double>::infinity() : 0.25 * (high - low);
+  return std::clamp(slope.dot(way), -most, most);
+}
 
 double LocalFunction::in_range(double number, const Vec3& position) const {
   const double own = holds ? at(position) : mean;

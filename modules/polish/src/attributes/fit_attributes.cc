@@ -68,8 +68,6 @@ double dot(const Vector& a, const Vector& b) {
   return sum;
 }
 
-double dot(const Vec3& a, const Vec3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
-
 Vector product(const Matrix& matrix, const Vector& x) {
   Vector y = Vector::Zero(x.size());
   for (Eigen::Index row = 0; row < x.size(); ++row) {
@@ -229,7 +227,7 @@ void AttributeFit::guess(const AttributeFunctions& functions, Values& values) co
     blend.result(values.fitted(w));
     if (values.kind == AttributeKind::joint_weights) functions.move(w, positions_[w], values.fitted(w));
     for (std::size_t i = 0; i < n; ++i) {
-      values.fitted(w)[i] += dot(values.functions[w * n + i].slope, positions_[w] - closest);
+      values.fitted(w)[i] += values.functions[w * n + i].gain(positions_[w] - closest);
     }
   }
 }
@@ -251,7 +249,7 @@ std::vector<double> AttributeFit::right_sides(const Values& values) const {
           to_closest -= share * frame_.to_frame(original_.positions[w]);
           for (std::size_t i = 0; i < n; ++i) value[i] += share * values.original(w)[i];
         }
-        for (std::size_t i = 0; i < n; ++i) value[i] += dot(values.functions[sample.wedge * n + i].slope, to_closest);
+        for (std::size_t i = 0; i < n; ++i) value[i] += values.functions[sample.wedge * n + i].gain(to_closest);
         for (std::size_t k = 0; k < 3; ++k) {
           double* const sum = sums.data() + n * face[k];
           for (std::size_t i = 0; i < n; ++i) sum[i] += at[k] * (sample.weight * value[i]);

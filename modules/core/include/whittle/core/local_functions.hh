@@ -21,6 +21,9 @@ struct LocalFunction {
   bool holds = false;          ///< whether it is that of a whole chart, and so holds beyond low and high
 
   double at(const Vec3& position) const { return mean + slope.dot(position - center); }
+  /// What the component gains on a way: no more than a quarter of the range, unless the function `holds`. A few points
+  /// are always on a linear function, which says nothing of places that lie farther off than they are apart.
+  double gain(const Vec3& way) const;
   /// Clamps a number to [low, high], widened to the function's own value where it `holds`.
   double in_range(double number, const Vec3& position) const;
 };
