@@ -98,11 +98,11 @@ bool shows_meshes(const gltf::Asset& asset) {
 
 }  // namespace
 
-void write_asset(io::OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress) {
-  const std::filesystem::path main = io::path_of(path);
-  for (const gltf::AssetFile& file : asset.files(main, {.compress = compress})) {
+void write_asset(io::OutputFiles& files, const SceneOutput& output, const gltf::Asset& asset) {
+  const std::filesystem::path main = io::path_of(output.path);
+  for (const gltf::AssetFile& file : asset.files(main, {.compress = output.compress})) {
     if (file.path == main) {
-      files.write(path, [&](std::ostream& out) { out << file.bytes; });
+      files.write(output.path, [&](std::ostream& out) { out << file.bytes; });
     } else {
       files.write_with_folders(file.path.string(), file.bytes);
     }
@@ -375,7 +375,7 @@ std::string GltfFile::mesh_with_levels() const {
   return found == parts_.end() ? std::string() : asset_.mesh_name(found->mesh);
 }
 
-void GltfFile::add_levels(CoarserLevels levels, std::vector<std::string>& warnings) {
+void GltfFile::add_levels(CoarserLevels levels, const SceneOutput& output, std::vector<std::string>& warnings) {
   std::vector<gltf::MeshLevels> coarser(parts_.size());
   for (std::size_t k = 0; k < levels.size(); ++k) {
     std::vector<IndexedMesh> meshes = split_for_file(*levels[k], "level " + std::to_string(k + 1) + ": ", warnings);
@@ -383,20 +383,21 @@ void GltfFile::add_levels(CoarserLevels levels, std::vector<std::string>& warnin
   }
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     coarser[i].mesh = parts_[i].mesh;
-    coarser[i].screen_coverage = screen_coverages(asset_.triangles(parts_[i].mesh), coarser[i].coarser);
+    coarser[i].screen_coverage =
+        screen_coverages(asset_.triangles(parts_[i].mesh), coarser[i].coarser, places_of(parts_[i].mesh), output);
   }
   asset_.add_levels(std::move(coarser));
 }
 
-std::vector<std::string> GltfFile::write(io::OutputFiles& files, const std::string& path, const IndexedMesh* mesh,
-                                         CoarserLevels levels, bool compress) {
+std::vector<std::string> GltfFile::write(io::OutputFiles& files, const SceneOutput& output, const IndexedMesh* mesh,
+                                         CoarserLevels levels) {
   std::vector<std::string> warnings;
-  if (!levels.empty()) add_levels(levels, warnings);
+  if (!levels.empty()) add_levels(levels, output, warnings);
   if (mesh != nullptr) {
     std::vector<IndexedMesh> meshes = split_for_file(*mesh, "", warnings);
     for (std::size_t i = 0; i < parts_.size(); ++i) asset_.set_triangles(parts_[i].mesh, std::move(meshes[i]));
   }
-  write_asset(files, path, asset_, compress);
+  write_asset(files, output, asset_);
   const std::vector<std::string> lost = asset_.warnings();
   warnings.insert(warnings.end(), lost.begin(), lost.end());
   return warnings;

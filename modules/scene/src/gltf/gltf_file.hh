@@ -49,11 +49,10 @@ class GltfFile final : public SceneDocument {
   /// as levels of detail (`gltf::Asset::add_levels`).
   /// \param mesh the whole, simplified; null: meshes are unchanged
   /// \param levels coarser levels of the whole, or empty
-  /// \param compress see `gltf::WriteOptions`
   /// \return a line for each content that changed
   /// \pre `SceneScope::meshes` was read. With levels: there is no `mesh_with_levels`, and nothing was written before
-  std::vector<std::string> write(io::OutputFiles& files, const std::string& path, const IndexedMesh* mesh,
-                                 CoarserLevels levels, bool compress);
+  std::vector<std::string> write(io::OutputFiles& files, const SceneOutput& output, const IndexedMesh* mesh,
+                                 CoarserLevels levels);
 
   /// The mesh after `write` without compression, and `read`. A vertex of several meshes has the position of one of them
   /// in the file. \pre as `write`
@@ -120,7 +119,7 @@ class GltfFile final : public SceneDocument {
   void remember_welded(const std::vector<Index>& origins, const std::vector<Index>& map, const IndexedMesh& mesh);
   IndexedMesh scene_of(const IndexedMesh& mesh, std::vector<CopiedVertex>& copied) const;
   std::vector<IndexedMesh> split(const IndexedMesh& mesh) const;
-  void add_levels(CoarserLevels levels, std::vector<std::string>& warnings);
+  void add_levels(CoarserLevels levels, const SceneOutput& output, std::vector<std::string>& warnings);
   std::vector<IndexedMesh> split_for_file(const IndexedMesh& mesh, const std::string& level,
                                           std::vector<std::string>& warnings) const;
 
@@ -134,6 +133,6 @@ class GltfFile final : public SceneDocument {
 };
 
 /// Writes an asset, and the files beside it (`gltf::Asset::files`).
-void write_asset(io::OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress);
+void write_asset(io::OutputFiles& files, const SceneOutput& output, const gltf::Asset& asset);
 
 }  // namespace whittle

@@ -44,7 +44,7 @@ void write_gltf(io::OutputFiles& files, const SceneOutput& output, Scene& scene,
     return write_new_gltf(files, output, scene, mesh == nullptr ? scene.read.mesh : *mesh, levels, messages);
   }
   GltfFile& document = document_of(scene);
-  for (const std::string& warning : document.write(files, output.path, mesh, levels, output.compress)) {
+  for (const std::string& warning : document.write(files, output, mesh, levels)) {
     messages.warnings.push_back(about(output.path, warning));
   }
   // It has written the images that can be beside it. This says which aren't.

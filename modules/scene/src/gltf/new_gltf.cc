@@ -82,13 +82,14 @@ IndexedMesh turned(IndexedMesh mesh) {
 }
 
 /// The meshes of an asset, without names and materials.
-gltf::NewAsset new_asset_of(const Scene& scene, const IndexedMesh& mesh, CoarserLevels levels) {
+gltf::NewAsset new_asset_of(const Scene& scene, const IndexedMesh& mesh, CoarserLevels levels,
+                            const SceneOutput& output) {
   gltf::NewAsset asset;
   asset.mesh = turned(mesh);
   // For all that is made of an input the same, if it is there.
   if (!scene.read.mesh.positions.empty()) asset.translation = float32_origin(scene.read.mesh.positions);
   for (const IndexedMesh* const level : levels) asset.coarser.push_back(turned(*level));
-  if (!levels.empty()) asset.screen_coverage = screen_coverages(asset.mesh, asset.coarser);
+  if (!levels.empty()) asset.screen_coverage = screen_coverages(asset.mesh, asset.coarser, {}, output);
   return asset;
 }
 
@@ -145,7 +146,7 @@ gltf::Asset asset_of(gltf::NewAsset asset, const SceneOutput& output) {
 
 void write_new_gltf(io::OutputFiles& files, const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
                     CoarserLevels levels, SceneMessages& messages) {
-  gltf::NewAsset asset = new_asset_of(scene, mesh, levels);
+  gltf::NewAsset asset = new_asset_of(scene, mesh, levels, output);
   asset.name = scene.mesh_name;
   asset.embeds_images = io::path_of(output.path).extension() != ".gltf";
   Looks looks = looks_of(scene, asset.mesh);
@@ -154,12 +155,12 @@ void write_new_gltf(io::OutputFiles& files, const SceneOutput& output, const Sce
   }
   asset.materials = std::move(looks.materials);
   const gltf::Asset made = asset_of(std::move(asset), output);
-  write_asset(files, output.path, made, output.compress);
+  write_asset(files, output, made);
   copy_companions(files, scene.path, output.path, made.image_files(), messages);
 }
 
 gltf::Asset new_gltf_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh) {
-  gltf::NewAsset asset = new_asset_of(scene, mesh, {});
+  gltf::NewAsset asset = new_asset_of(scene, mesh, {}, output);
   asset.materials.resize(asset.mesh.group_names.size());
   return asset_of(std::move(asset), output).as_written({}, {.compress = output.compress});
 }

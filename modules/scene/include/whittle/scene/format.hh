@@ -41,6 +41,8 @@ struct SceneOutput {
   const SceneFormat* format = nullptr;
   bool ascii = false;     ///< text instead of binary, in formats that have both
   bool compress = false;  ///< see `gltf::WriteOptions`; in formats that `is_document`
+  /// Largest error on a screen with which a level of detail takes over from a finer one, as a share of its height.
+  double level_error_rel = 1.0 / 1080;
 };
 
 /// Messages about a written scene: a line each, with the name of the file in front.
