@@ -119,7 +119,7 @@ bool is_one_file(const LodCommand& options) {
 
 /// \throw UsageError if the scene hasn't more faces than a number
 std::vector<LodLevel> levels_of(const LodCommand& options, const SimplifyOptions& simplify, LodRun& run) {
-  const SceneOutput output = output_of(path_of(options.output, 0, 1, 2), options.files);
+  const SceneOutput output = output_of(path_of(options.output, 0, 1, 2), options.files, options.compresses_gltf);
   const SceneReadOptions reading = read_options(options.files, options.common.threads);
   std::vector<LodLevel> levels;
   try {
@@ -181,6 +181,9 @@ void check(const LodCommand& options) {
         "--output needs '{faces}', '{vertices}' or '{i}' in it, such as 'out_{faces}.ply', or has to be one glTF file");
   }
   check_formats({options.input}, {options.output}, options.files);
+  if (options.compresses_gltf && !writes_document(options.output, options.files)) {
+    throw UsageError("--compress is for outputs in glTF");
+  }
   std::vector<Output> outputs{{"--output", options.output}};
   if (options.common.json) outputs.push_back({"--json", *options.common.json});
   check_outputs(outputs, {options.input}, options.common.force);

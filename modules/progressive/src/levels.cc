@@ -24,18 +24,17 @@ void check(const std::vector<double>& errors) {
   }
 }
 
-/// A `MeshMapping` of a level.
-using LevelMapping = std::function<IndexedMesh(const Decimation&)>;
-
 class LevelSearch {
  public:
-  LevelSearch(const IndexedMesh& mesh, Replay& replay, const SimplifyOptions& options, const LevelMapping& as_written)
-      : mesh_(mesh), replay_(replay), options_(options), as_written_(as_written) {}
+  LevelSearch(const IndexedMesh& mesh, Replay& replay, const SimplifyOptions& options, const LevelProof& is_within)
+      : mesh_(mesh), replay_(replay), options_(options), is_within_(is_within) {}
 
   ProvenLevel find(double error);
 
  private:
-  bool is_within(double error, const Decimation& level) const;
+  bool is_within(double error, const Decimation& level) const {
+    return !level.mesh.faces.empty() && is_within_(level, error);
+  }
   Decimation level_after(std::size_t n_contractions) {
     replay_.go_to(replay_.level_after(n_contractions));
     return replay_.decimation();
@@ -44,19 +43,9 @@ class LevelSearch {
   const IndexedMesh& mesh_;
   Replay& replay_;
   const SimplifyOptions& options_;
-  const LevelMapping& as_written_;
+  const LevelProof& is_within_;
   std::size_t least_ = 0;  ///< contractions that keep within the error before
 };
-
-bool LevelSearch::is_within(double error, const Decimation& level) const {
-  std::optional<IndexedMesh> written;
-  if (as_written_) written = as_written_(level);
-  const IndexedMesh& mesh = written ? *written : level.mesh;
-  if (mesh.faces.empty()) return false;
-  metrics::CertifyOptions options{.threads = options_.decimate.threads};
-  if (mesh.positions.size() == level.mesh.positions.size()) options.vertex_map = level.vertex_map;
-  return metrics::certify(mesh_, mesh, error, options).verdict == Verdict::proven;
-}
 
 /// The last of the levels that bisection finds to be within the error.
 ProvenLevel LevelSearch::find(double error) {
@@ -88,7 +77,7 @@ ProvenLevel LevelSearch::find(double error) {
 
 /// \pre `mesh` has no two-sided sheets
 std::vector<ProvenLevel> levels_of_surface(const IndexedMesh& mesh, const std::vector<double>& errors, Effort effort,
-                                           const SimplifyOptions& options, const LevelMapping& as_written) {
+                                           const SimplifyOptions& options, const LevelProof& is_within) {
   const auto last = DecimateTarget::faces(1);
   SimplifyOptions settled = with_effort(effort, options, mesh, last);
   settled.decimate.keep_steps = true;
@@ -96,28 +85,25 @@ std::vector<ProvenLevel> levels_of_surface(const IndexedMesh& mesh, const std::v
   std::vector<ProvenLevel> levels;
   if (run.result.stop == StopReason::cancelled) return levels;
   Replay replay(mesh, std::move(run.steps), settled.decimate.normals);
-  LevelSearch search(mesh, replay, settled, as_written);
+  LevelSearch search(mesh, replay, settled, is_within);
   for (const double error : errors) levels.push_back(search.find(error));
   return levels;
 }
 
 std::vector<ProvenLevel> levels_of_sheets(const TwoSidedSheets& sheets, const std::vector<double>& errors,
-                                          Effort effort, const SimplifyOptions& options,
-                                          const MeshMapping& as_written) {
+                                          Effort effort, const SimplifyOptions& options, const LevelProof& is_within) {
   const auto add_backs = [&](Decimation& level) {
     sheets.add_backs(options.decimate.normals, options.decimate.threads, level);
   };
-  LevelMapping of_level;
-  if (as_written) {
-    of_level = [&](const Decimation& level) {
-      Decimation both = level;
-      add_backs(both);
-      return as_written(both.mesh);
-    };
-  }
+  const auto is_within_with_backs = [&](const Decimation& level, double distance) {
+    Decimation both = level;
+    add_backs(both);
+    return is_within(both, distance);
+  };
   SimplifyOptions own = options;
   own.decimate = sheets.options_without_backs(options.decimate);
-  std::vector<ProvenLevel> levels = levels_of_surface(sheets.without_backs(), errors, effort, own, of_level);
+  std::vector<ProvenLevel> levels =
+      levels_of_surface(sheets.without_backs(), errors, effort, own, is_within_with_backs);
   for (ProvenLevel& level : levels) add_backs(level);
   return levels;
 }
@@ -125,14 +111,17 @@ std::vector<ProvenLevel> levels_of_sheets(const TwoSidedSheets& sheets, const st
 }  // namespace
 
 std::vector<ProvenLevel> levels_within(const IndexedMesh& mesh, const std::vector<double>& errors, Effort effort,
-                                       const SimplifyOptions& options, const MeshMapping& as_written) {
+                                       const SimplifyOptions& options, const LevelProof& is_within) {
   check(errors);
+  const auto is_level_within = [&](const Decimation& level, double distance) {
+    const metrics::CertifyOptions how{.threads = options.decimate.threads, .vertex_map = level.vertex_map};
+    return metrics::certify(mesh, level.mesh, distance, how).verdict == Verdict::proven;
+  };
+  const LevelProof proof = is_within ? is_within : is_level_within;
   if (const TwoSidedSheets sheets(mesh, options.decimate.threads); sheets.any()) {
-    return levels_of_sheets(sheets, errors, effort, options, as_written);
+    return levels_of_sheets(sheets, errors, effort, options, proof);
   }
-  LevelMapping of_level;
-  if (as_written) of_level = [&](const Decimation& level) { return as_written(level.mesh); };
-  return levels_of_surface(mesh, errors, effort, options, of_level);
+  return levels_of_surface(mesh, errors, effort, options, proof);
 }
 
 }  // namespace whittle::progressive

@@ -83,6 +83,11 @@ Scene scene_of(IndexedMesh mesh, const std::string& name, std::vector<double> to
   return scene;
 }
 
+IndexedMesh shown_scene(const Scene& scene, SceneReadOptions options) {
+  options.scope = SceneScope::scene;
+  return SceneFile(scene.path, scene.format).read(options).read.mesh;
+}
+
 Scene read_scene(const std::string& path, const SceneReadOptions& options) { return SceneFile(path).read(options); }
 
 }  // namespace whittle

@@ -71,12 +71,6 @@ std::vector<double> tolerances_of(Plan& plan) {
   return tolerances;
 }
 
-/// \throw io::ReadError if the scene has too many triangles
-IndexedMesh shown_scene(const Scene& scene, SceneReadOptions reading) {
-  reading.scope = SceneScope::scene;
-  return SceneFile(scene.path, scene.format).read(reading).read.mesh;
-}
-
 /// Of threshold pairs, model units. Warns if it is automatic and no parts lie near one another.
 double find_threshold(Plan& plan) {
   const AutomaticLength& threshold = plan.request.threshold;

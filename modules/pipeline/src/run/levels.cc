@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "run/proof.hh"
 #include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/progress.hh"
 #include "whittle/core/text/text.hh"
+#include "whittle/metrics/certify.hh"
 #include "whittle/pipeline/new_intersections.hh"
 #include "whittle/pipeline/run.hh"
 #include "whittle/pipeline/values.hh"
 #include "whittle/progressive/levels.hh"
+#include "whittle/scene/read_scene.hh"
 #include "whittle/scene/write_scene.hh"
 
 namespace whittle {
@@ -88,22 +92,61 @@ void warn_of_new_intersections(const Scene& scene, unsigned threads, Levels& lev
   }
 }
 
-/// \param options a run by them may end early
-std::vector<Level> levels_of(const Scene& scene, const LevelTargets& targets, Effort effort,
-                             const SimplifyOptions& options, const progressive::MeshMapping& to_file) {
-  const IndexedMesh& mesh = scene.read.mesh;
-  std::vector<Level> levels;
-  if (targets.errors.empty()) {
-    for (Simplification& level : simplify_to_levels(mesh, counts_of(targets, scene), effort, options)) {
-      levels.push_back({std::move(level), std::nullopt});
+/// Proves levels as they are written: of a document that compression rounds, the scene as it is shown.
+class LevelsProof {
+ public:
+  LevelsProof(const Scene& scene, const SceneOutput& output, const SceneReadOptions& reading)
+      : scene_(scene), output_(output), reading_(reading), stretch_(widest_stretch(scene)) {
+    if (output.compress && keeps_meshes(scene, output)) shown_ = shown_scene(scene, reading);
+  }
+
+  bool is_within(const Decimation& level, double distance) const {
+    const IndexedMesh written = output_.compress ? scene_as_written(output_, scene_, level.mesh, reading_)
+                                                 : as_written(output_, scene_, level.mesh, reading_);
+    if (written.faces.empty()) return false;
+    metrics::CertifyOptions options{.threads = reading_.threads};
+    if (!output_.compress && written.positions.size() == level.mesh.positions.size()) {
+      options.vertex_map = level.vertex_map;
     }
-  } else {
-    const std::vector<double> errors = errors_of(targets, scene);
-    std::vector<double> limits = errors;
-    const double stretch = widest_stretch(scene);
-    for (double& limit : limits) limit /= stretch;
-    std::vector<progressive::ProvenLevel> proven = progressive::levels_within(mesh, limits, effort, options, to_file);
-    for (std::size_t i = 0; i < proven.size(); ++i) levels.push_back({std::move(proven[i]), errors[i]});
+    const IndexedMesh& input = shown_ ? *shown_ : scene_.read.mesh;
+    const double limit = shown_ ? distance : slack_of(level).within(distance);
+    return metrics::certify(input, written, limit, options).verdict == Verdict::proven;
+  }
+
+ private:
+  Slack slack_of(const Decimation& level) const {
+    return {stretch_, widest_gap_as_written(output_, scene_, level.mesh)};
+  }
+
+  const Scene& scene_;
+  const SceneOutput& output_;
+  const SceneReadOptions& reading_;
+  double stretch_;
+  std::optional<IndexedMesh> shown_;
+};
+
+/// \param options a run by them may end early
+std::vector<Level> levels_by_count(const Scene& scene, const LevelTargets& targets, Effort effort,
+                                   const SimplifyOptions& options) {
+  std::vector<Level> levels;
+  for (Simplification& level : simplify_to_levels(scene.read.mesh, counts_of(targets, scene), effort, options)) {
+    levels.push_back({std::move(level), std::nullopt});
+  }
+  return levels;
+}
+
+/// \param options a run by them may end early
+std::vector<Level> levels_by_error(const Scene& scene, const LevelTargets& targets, Effort effort,
+                                   const SimplifyOptions& options, const LevelsProof& proof) {
+  const std::vector<double> errors = errors_of(targets, scene);
+  const auto is_within = [&proof](const Decimation& level, double distance) {
+    return proof.is_within(level, distance);
+  };
+  std::vector<progressive::ProvenLevel> proven =
+      progressive::levels_within(scene.read.mesh, errors, effort, options, is_within);
+  std::vector<Level> levels;
+  for (std::size_t i = 0; i < proven.size(); ++i) {
+    levels.push_back({std::move(proven[i]), errors[i]});
   }
   return levels;
 }
@@ -121,10 +164,12 @@ Levels make_levels(const Scene& scene, const LevelTargets& targets, Effort effor
       return !is_cancelled;
     };
   }
-  const auto to_file = [&](const IndexedMesh& level) { return as_written(output, scene, level, reading); };
-  Levels levels{levels_of(scene, targets, effort, watched, to_file), {}};
+  const bool is_by_error = !targets.errors.empty();
+  Levels levels;
+  levels.levels = is_by_error ? levels_by_error(scene, targets, effort, watched, LevelsProof(scene, output, reading))
+                              : levels_by_count(scene, targets, effort, watched);
   if (is_cancelled) throw Cancelled();
-  if (targets.errors.empty()) warn_of_missing_levels(scene, counts_of(targets, scene).size(), levels);
+  if (!is_by_error) warn_of_missing_levels(scene, counts_of(targets, scene).size(), levels);
   warn_of_new_intersections(scene, options.decimate.threads, levels);
   return levels;
 }

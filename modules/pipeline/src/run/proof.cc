@@ -16,20 +16,6 @@ constexpr double no_limit = std::numeric_limits<double>::infinity();
 /// Of the largest distances.
 constexpr double accuracy = 1e-3;
 
-/// How much longer than in what was looked at distances can be in the scene as it is shown.
-struct Slack {
-  double stretch = 1;  ///< `Plan::stretch`
-  double gap = 0;      ///< the file may have a vertex several times, and not quite at one place
-
-  void add_to(metrics::LargestDistances& distances) const {
-    for (double* bound : {&distances.forward.at_most, &distances.backward.at_most}) *bound = stretch * (*bound + gap);
-  }
-  double within(double limit) const {
-    const bool is_any = stretch > 1 || gap > 0;
-    return is_any ? std::max(0.0, limit / stretch * (1 - 1e-12) - gap) : limit;
-  }
-};
-
 Slack slack_of(const Plan& plan, const Decimation& result) {
   if (plan.shown) return {};
   return {plan.stretch, widest_gap_as_written(plan.request.output, plan.scene, result.mesh)};
@@ -52,6 +38,15 @@ bool keeps_tolerances(const Plan& plan, const DistancesAsWritten& distances) {
 }
 
 }  // namespace
+
+void Slack::add_to(metrics::LargestDistances& distances) const {
+  for (double* bound : {&distances.forward.at_most, &distances.backward.at_most}) *bound = stretch * (*bound + gap);
+}
+
+double Slack::within(double limit) const {
+  const bool is_any = stretch > 1 || gap > 0;
+  return is_any ? std::max(0.0, limit / stretch * (1 - 1e-12) - gap) : limit;
+}
 
 std::optional<DistancesAsWritten> distances_as_written(const Plan& plan, const Decimation& result,
                                                        const RunObserver& observer) {

@@ -7,6 +7,16 @@
 
 namespace whittle {
 
+/// How much longer than in what was looked at distances can be in the scene as it is shown.
+struct Slack {
+  double stretch = 1;  ///< `widest_stretch`
+  double gap = 0;      ///< the file may have a vertex several times, and not quite at one place
+
+  void add_to(metrics::LargestDistances& distances) const;
+  /// The distance in what is looked at that keeps this one in the scene.
+  double within(double limit) const;
+};
+
 /// What is read again of a result from the plan's output, and how far it is from the scene. Where the target limits the
 /// error, distances below are proven to be so.
 /// \return nothing if no face is left in the file \throw Cancelled

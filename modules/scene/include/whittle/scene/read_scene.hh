@@ -42,6 +42,9 @@ class SceneFile {
 Scene scene_of(IndexedMesh mesh, const std::string& name, std::vector<double> tolerances,
                const SceneReadOptions& options = {});
 
+/// The file of a scene, read again as its document shows it (`SceneScope::scene`). \throw as `SceneFile`
+IndexedMesh shown_scene(const Scene& scene, SceneReadOptions options);
+
 /// Reads a scene from a file, repairs it (`io::repair`) and welds it. \throw as `SceneFile`
 Scene read_scene(const std::string& path, const SceneReadOptions& options = {});
 
