@@ -117,9 +117,25 @@ bool is_one_file(const LodCommand& options) {
   return path_of(options.output, 0, 1, 2) == options.output && writes_document(options.output, options.files);
 }
 
+/// The file for what all levels have in common: a template's words become one, "shared".
+std::string shared_path_of(const std::string& output) {
+  const std::size_t first = output.find('{');
+  const std::size_t last = output.rfind('}');
+  if (first == std::string::npos || last == std::string::npos || last < first) return {};
+  const std::string name = output.substr(0, first) + "shared" + output.substr(last + 1);
+  return name.substr(0, name.rfind('.')) + ".bin";
+}
+
+/// The file of a level, or of all.
+SceneOutput level_output(const LodCommand& options, const std::string& path) {
+  SceneOutput output = output_of(path, options.files, options.compresses_gltf);
+  if (!is_one_file(options)) output.shared_path = shared_path_of(options.output);
+  return output;
+}
+
 /// \throw UsageError if the scene hasn't more faces than a number
 std::vector<LodLevel> levels_of(const LodCommand& options, const SimplifyOptions& simplify, LodRun& run) {
-  const SceneOutput output = output_of(path_of(options.output, 0, 1, 2), options.files, options.compresses_gltf);
+  const SceneOutput output = level_output(options, path_of(options.output, 0, 1, 2));
   const SceneReadOptions reading = read_options(options.files, options.common.threads);
   std::vector<LodLevel> levels;
   try {
@@ -200,8 +216,7 @@ SimplifyOptions library_options(const LodCommand& options, StageBars& bars) {
 void write_into_one_file(const LodCommand& options, const Talk& talk, OutputFiles& files, LodRun& run) {
   std::vector<const IndexedMesh*> levels;
   for (const LodLevel& level : run.levels) levels.push_back(&level.simplified.mesh);
-  write_levels(files, output_of(options.output, options.files, options.compresses_gltf), run.input, levels, talk,
-               run.warnings);
+  write_levels(files, level_output(options, options.output), run.input, levels, talk, run.warnings);
 }
 
 void write_files(LodCommand& options, const Talk& talk, const Stopwatch& since_start, LodRun& run) {
@@ -212,8 +227,7 @@ void write_files(LodCommand& options, const Talk& talk, const Stopwatch& since_s
     write_into_one_file(options, talk, files, run);
   } else {
     for (const LodLevel& level : run.levels) {
-      write_result(files, output_of(level.path, options.files, options.compresses_gltf), run.input,
-                   level.simplified.mesh, talk, run.warnings);
+      write_result(files, level_output(options, level.path), run.input, level.simplified.mesh, talk, run.warnings);
     }
   }
   run.write_seconds = writing.seconds();

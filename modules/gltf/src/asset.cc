@@ -27,6 +27,7 @@
 #include "write/level_nodes.hh"
 #include "write/output.hh"
 #include "write/references.hh"
+#include "write/share_buffer.hh"
 
 namespace whittle::gltf {
 
@@ -107,10 +108,9 @@ bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& 
   return std::filesystem::equivalent(a, b, error);
 }
 
-/// Where the buffer of a text file goes: beside it, but not in place of a buffer of the input, which others may need.
-std::filesystem::path buffer_path_for(const std::filesystem::path& output, const Json& document,
-                                      const std::filesystem::path& source) {
-  std::filesystem::path path = std::filesystem::path(output).replace_extension(".bin");
+/// Where a buffer of a text file goes: beside it, but not in place of a buffer of the input, which others may need.
+std::filesystem::path free_buffer_path(std::filesystem::path path, const std::filesystem::path& output,
+                                       const Json& document, const std::filesystem::path& source) {
   if (source.empty() || are_same_file(output, source)) return path;
   for (const Json& buffer : elements_of(document, "buffers")) {
     const Json* const uri = member(buffer, "uri");
@@ -319,9 +319,11 @@ Asset Asset::as_written(std::map<std::size_t, IndexedMesh> triangles, const Writ
 GltfText Asset::write_gltf(const std::string& buffer_uri, const WriteOptions& options) const {
   Output output = content_->output(content_->replacements, options);
   GltfText text;
+  const bool shares = !options.shared_buffer.empty();
+  if (shares) text.shared = take_shared_buffer(output, uri_of_file(utf8(options.shared_buffer.filename())));
   if (!output.buffer.empty()) {
     Json& first = output.document["buffers"][0];
-    if (is_in_document(content_->model)) {
+    if (is_in_document(content_->model) && !shares) {
       first["uri"] = data_uri(output.buffer);
     } else {
       text.buffer_uri = buffer_uri;
@@ -337,10 +339,16 @@ GltfText Asset::write_gltf(const std::string& buffer_uri, const WriteOptions& op
 std::vector<AssetFile> Asset::files(const std::filesystem::path& path, const WriteOptions& options) const {
   std::vector<AssetFile> files;
   if (lower_case(path.extension().string()) == ".gltf") {
-    const std::filesystem::path buffer_path = buffer_path_for(path, content_->document, content_->source);
-    GltfText text = write_gltf(uri_of_file(utf8(buffer_path.filename())), options);
+    const auto beside = [&](const std::filesystem::path& buffer) {
+      return free_buffer_path(buffer, path, content_->document, content_->source);
+    };
+    const std::filesystem::path buffer_path = beside(std::filesystem::path(path).replace_extension(".bin"));
+    WriteOptions here = options;
+    if (!here.shared_buffer.empty()) here.shared_buffer = beside(here.shared_buffer);
+    GltfText text = write_gltf(uri_of_file(utf8(buffer_path.filename())), here);
     files.push_back({path, std::move(text.json)});
     if (!text.buffer.empty()) files.push_back({buffer_path, std::move(text.buffer)});
+    if (!text.shared.empty()) files.push_back({here.shared_buffer, std::move(text.shared)});
   } else {
     files.push_back({path, write_glb(options)});
   }

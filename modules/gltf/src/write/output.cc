@@ -191,8 +191,9 @@ void list_extensions(Json& document, const Json& old, bool compress) {
   }
 }
 
-void replace_geometry(Json& document, const Json& old, const Model& model, const Replacements& replacements,
-                      bool compress, PackedBuffers& buffers) {
+/// \return the number of bytes that other content has, at the beginning
+std::size_t replace_geometry(Json& document, const Json& old, const Model& model, const Replacements& replacements,
+                             bool compress, PackedBuffers& buffers) {
   strip_geometry(document, model, replacements);
   const std::vector<bool> freed_accessors = freed(used_accessors(old), used_accessors(document));
   const std::vector<bool> all(freed_accessors.size(), true);
@@ -200,6 +201,7 @@ void replace_geometry(Json& document, const Json& old, const Model& model, const
   clear_elements(document, "accessors", freed_accessors);
   clear_elements(document, "bufferViews", freed_views);
   buffers = pack_buffers(document, model);
+  const std::size_t n_kept_bytes = buffers.bytes.size();
   place_geometry(document, old, model, new_accessors(model, replacements, compress), freed_accessors, freed_views,
                  compress, buffers);
   drop_lost_primitives(document, model, replacements);
@@ -207,17 +209,18 @@ void replace_geometry(Json& document, const Json& old, const Model& model, const
   fill_cleared(document, "bufferViews", {{"buffer", first_buffer}, {"byteLength", 1}});
   fill_cleared(document, "accessors",
                {{"componentType", component_type(ScalarType::uint8)}, {"count", 1}, {"type", "SCALAR"}});
+  return n_kept_bytes;
 }
 
 }  // namespace
 
 Output make_output(const Model& model, const Json& document, const Replacements& replacements, bool compress) {
-  Output output{document, {}};
+  Output output{document, {}, 0};
   PackedBuffers buffers;
   if (replacements.empty()) {
     buffers = pack_buffers(output.document, model);
   } else {
-    replace_geometry(output.document, document, model, replacements, compress, buffers);
+    output.n_kept_bytes = replace_geometry(output.document, document, model, replacements, compress, buffers);
   }
   list_buffers(output.document, model, buffers);
   if (!replacements.empty()) list_extensions(output.document, document, compress);

@@ -17,6 +17,7 @@ using Replacements = std::map<std::size_t, IndexedMesh>;
 struct Output {
   Json document;
   std::string buffer;
+  std::size_t n_kept_bytes = 0;  ///< at the beginning of the buffer, which don't belong to replaced geometry
 };
 
 /// \param compress whether new geometry is compressed. \pre the replacements were checked, and this build can compress

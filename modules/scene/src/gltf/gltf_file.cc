@@ -96,11 +96,15 @@ bool shows_meshes(const gltf::Asset& asset) {
   return false;
 }
 
+gltf::WriteOptions write_options(const SceneOutput& output) {
+  return {.compress = output.compress, .shared_buffer = io::path_of(output.shared_path)};
+}
+
 }  // namespace
 
 void write_asset(io::OutputFiles& files, const SceneOutput& output, const gltf::Asset& asset) {
   const std::filesystem::path main = io::path_of(output.path);
-  for (const gltf::AssetFile& file : asset.files(main, {.compress = output.compress})) {
+  for (const gltf::AssetFile& file : asset.files(main, write_options(output))) {
     if (file.path == main) {
       files.write(output.path, [&](std::ostream& out) { out << file.bytes; });
     } else {

@@ -33,6 +33,10 @@ struct WriteOptions {
   /// file then require. Positions get a step of at most 1/65536 of the mesh's longest side; normals 8 bits; weights,
   /// and texture coordinates in [0, 1], 16 bits.
   bool compress = false;
+  /// A file for what outputs with other geometry of the same meshes have, too: in a .gltf, all bytes but those of
+  /// replaced geometry, and images that are part of the text, in the input or here. It is in the folder of the output,
+  /// which then embeds no buffer. Empty: each output has all bytes.
+  std::filesystem::path shared_buffer{};
 };
 
 /// A .gltf file, and the file with its buffer.
@@ -40,6 +44,7 @@ struct GltfText {
   std::string json;
   std::string buffer;      ///< empty if there is none, or if the text contains it
   std::string buffer_uri;  ///< the buffer's name in the text
+  std::string shared;      ///< the buffer of `WriteOptions::shared_buffer`; empty if there is none
 };
 
 /// A file to write.
@@ -135,8 +140,9 @@ class Asset {
   std::string document() const;
 
   /// The files that `write` writes, the asset itself first: .gltf as text, others as GLB. In text the buffer is
-  /// embedded if the input's was; otherwise it is a file with the same name and .bin. Image files are copied into the
-  /// folder of the output, or below it, unless they exist there. \throw io::ReadError if an image can't be read
+  /// embedded if the input's was; otherwise it is a file with the same name and .bin. The shared buffer follows. Image
+  /// files are copied into the folder of the output, or below it, unless they exist there. \throw io::ReadError if an
+  /// image can't be read
   std::vector<AssetFile> files(const std::filesystem::path& path, const WriteOptions& options = {}) const;
   /// Writes these files, and makes the folders of images. \throw io::WriteError
   void write(const std::filesystem::path& path, const WriteOptions& options = {}) const;
@@ -145,7 +151,8 @@ class Asset {
   /// The asset as it is read again from what is written with these triangles by mesh, which are as for `set_triangles`.
   /// Images beside it are missing. \throw as `set_triangles` and `write_glb`
   Asset as_written(std::map<std::size_t, IndexedMesh> triangles, const WriteOptions& options = {}) const;
-  /// The text of a .gltf. \param buffer_uri names the buffer, unless the input's was part of the text
+  /// The text of a .gltf. \param buffer_uri names the buffer, unless the input's was part of the text and nothing is
+  /// shared
   GltfText write_gltf(const std::string& buffer_uri, const WriteOptions& options = {}) const;
 
  private:

@@ -41,6 +41,9 @@ struct SceneOutput {
   const SceneFormat* format = nullptr;
   bool ascii = false;     ///< text instead of binary, in formats that have both
   bool compress = false;  ///< see `gltf::WriteOptions`; in formats that `is_document`
+  /// A file for what several outputs of a scene have in common, in documents of text (`gltf::WriteOptions`). Empty:
+  /// each has all of it.
+  std::string shared_path{};
   /// Largest error on a screen with which a level of detail takes over from a finer one, as a share of its height.
   double level_error_rel = 1.0 / 1080;
 };
