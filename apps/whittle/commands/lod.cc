@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -18,6 +19,7 @@
 #include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/progress.hh"
+#include "whittle/core/text/text.hh"
 #include "whittle/pipeline/levels.hh"
 #include "whittle/pipeline/request.hh"
 #include "whittle/pipeline/run.hh"
@@ -60,7 +62,7 @@ OptionAccess list(std::vector<T>& values, const std::string& meta, Parse parse) 
   return {meta, set, [] { return OptionValue{}; }};
 }
 
-Length parse_error(std::string_view text) {
+Length parse_above_zero(std::string_view text) {
   const Length length = parse_length(text, "E");
   if (!(length.value > 0)) throw std::invalid_argument("a length has to be above 0");
   return length;
@@ -78,15 +80,38 @@ OptionRows level_rows(LodCommand& options) {
         .access = list(options.targets.faces, "N,...", [](std::string_view text) { return parse_count(text); }),
         .help = "levels with these numbers of faces"},
        {.names = "--errors",
-        .access = list(options.targets.errors, "E,...", parse_error),
+        .access = list(options.targets.errors, "E,...", parse_above_zero),
         .help = "levels of few faces that are proven to be within these distances of IN, and IN of them: model units, "
-                "or percentages of the diagonal such as 0.1%,0.5%"}},
+                "or percentages of the diagonal such as 0.1%,0.5%"},
+       {.names = "--distances",
+        .access = list(options.targets.distances, "D,...", parse_above_zero),
+        .help = "levels of few faces for a camera at these distances: seen from there and from farther away, a level "
+                "is proven to be within --target-pixels of IN. Model units, or percentages of the diagonal such as "
+                "200%,1000%"}},
       "Levels (one of these)");
+}
+
+/// How large errors look.
+OptionRows view_rows(CameraView& view) {
+  constexpr Range above_zero{0, std::numeric_limits<double>::infinity(), false};
+  return {{.names = "--target-pixels",
+           .access = number(view.target_pixels, above_zero, "P"),
+           .help = "largest error on the screen, pixels: of --distances, and where levels in one glTF file take over",
+           .key = "target_pixels"},
+          {.names = "--view-height",
+           .access = number(view.height, above_zero, "H"),
+           .help = "height of the screen, pixels",
+           .key = "view_height"},
+          {.names = "--fov",
+           .access = number(view.fov_deg, {0, 180, false, false}, "DEG"),
+           .help = "field of view of --distances from the lower to the upper edge of the screen, degrees",
+           .key = "fov"}};
 }
 
 /// How levels are made and written.
 OptionRows setting_rows(LodCommand& options) {
-  OptionRows rows{effort_row(options.effort), fit_row(options.fit)};
+  OptionRows rows = view_rows(options.targets.view);
+  append(rows, {effort_row(options.effort), fit_row(options.fit)});
   append(rows, file_rows(options.files));
   rows.push_back(compress_row(options.compresses_gltf));
   return rows;
@@ -129,6 +154,7 @@ std::string shared_path_of(const std::string& output) {
 /// The file of a level, or of all.
 SceneOutput level_output(const LodCommand& options, const std::string& path) {
   SceneOutput output = output_of(path, options.files, options.compresses_gltf);
+  output.level_error_rel = options.targets.view.error_rel();
   if (!is_one_file(options)) output.shared_path = shared_path_of(options.output);
   return output;
 }
@@ -178,6 +204,7 @@ Json lod_json(LodCommand& options, const LodRun& run, double total_seconds) {
                 {"faces", level.simplified.mesh.faces.size()},
                 {"max_cost", level.simplified.result.max_cost}};
     one["max_error"] = level.error ? Json(*level.error) : Json(nullptr);
+    one["distance"] = level.distance ? Json(*level.distance) : Json(nullptr);
     json["levels"].push_back(std::move(one));
   }
   json["seconds"] = {{"read", run.input.seconds},
@@ -189,9 +216,21 @@ Json lod_json(LodCommand& options, const LodRun& run, double total_seconds) {
   return json;
 }
 
+/// \throw UsageError if a view is given that nothing depends on
+void check_view(const Given& given, const LodCommand& options) {
+  if (!options.targets.distances.empty()) return;
+  if (given.is_given("--fov")) throw UsageError("--fov is for --distances");
+  if (is_one_file(options)) return;
+  for (const char* const option : {"--target-pixels", "--view-height"}) {
+    if (!given.is_given(option)) continue;
+    throw UsageError(std::string(option) + " is for --distances, and for levels in one glTF file");
+  }
+}
+
 void check(const LodCommand& options) {
-  if (options.targets.n_kinds() != 1)
-    throw UsageError("one of --ratios, --face-ratios, --faces and --errors is needed, and only one");
+  if (options.targets.n_kinds() != 1) {
+    throw UsageError("one of --ratios, --face-ratios, --faces, --errors and --distances is needed, and only one");
+  }
   if (path_of(options.output, 0, 1, 2) == options.output && !is_one_file(options)) {
     throw UsageError(
         "--output needs '{faces}', '{vertices}' or '{i}' in it, such as 'out_{faces}.ply', or has to be one glTF file");
@@ -243,9 +282,25 @@ void check_input(const LodCommand& options, const Scene& input) {
                    " has levels of detail already (MSFT_lod); use '{i}' in --output to write a file a level");
 }
 
-ExitCode run_lod(const Given& /*given*/, LodCommand options) {
+/// "p_0.ply: 100 faces, 52 vertices, within 0.1 (1 %), which is 1 pixel at 17.3 (173 %)"
+std::string text_of(const LodLevel& level, std::size_t number, const LodCommand& options, const LodRun& run) {
+  const IndexedMesh& mesh = level.simplified.mesh;
+  std::string line = level.path;
+  if (is_one_file(options)) line += ": level " + std::to_string(number + 1);
+  line += ": " + faces_text(mesh.faces.size()) + ", " + vertices_text(mesh.positions.size());
+  if (level.error) line += ", within " + length_text_rounded_up(*level.error, run.diagonal);
+  if (level.distance) {
+    const double pixels = options.targets.view.target_pixels;
+    line += ", which is " + significant(pixels) + (pixels == 1 ? " pixel" : " pixels") + " at " +
+            length_text_rounded_up(*level.distance, run.diagonal);
+  }
+  return line;
+}
+
+ExitCode run_lod(const Given& given, LodCommand options) {
   options.files.scope = scope_for(path_of(options.output, 0, 1, 2), options.files);
   check(options);
+  check_view(given, options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   LodRun run;
@@ -268,15 +323,7 @@ ExitCode run_lod(const Given& /*given*/, LodCommand options) {
   run.levels_seconds = working.seconds();
   name_levels(options, run);
   write_files(options, talk, watch, run);
-  for (std::size_t i = 0; i < run.levels.size(); ++i) {
-    const LodLevel& level = run.levels[i];
-    const IndexedMesh& mesh = level.simplified.mesh;
-    const std::string number = is_one_file(options) ? ": level " + std::to_string(i + 1) : "";
-    const std::string error = level.error ? ", within " + length_text_rounded_up(*level.error, run.diagonal) : "";
-    std::string line = level.path + number;
-    line += ": " + faces_text(mesh.faces.size()) + ", " + vertices_text(mesh.positions.size()) + error;
-    talk.say(line);
-  }
+  for (std::size_t i = 0; i < run.levels.size(); ++i) talk.say(text_of(run.levels[i], i, options, run));
   say_effort(talk, watch.seconds());
   return ExitCode::done;
 }
@@ -288,7 +335,8 @@ void setup_lod(CLI::App& app, Command& command) {
                             "Examples:\n"
                             "  whittle lod dragon.ply --ratios 50%,25%,10% -o 'dragon_{faces}.ply'\n"
                             "  whittle lod helmet.glb --ratios 50%,10% -o helmet_levels.glb\n"
-                            "  whittle lod part.stl --errors 0.1%,0.5%,1% -o 'part_{i}.obj'"};
+                            "  whittle lod part.stl --errors 0.1%,0.5%,1% -o 'part_{i}.obj'\n"
+                            "  whittle lod helmet.glb --distances 200%,1000% -o 'helmet_{i}.gltf'"};
   LodCommand defaults;
   defaults.files.reads_documents = defaults.files.writes_documents = true;
   add_subcommand(app, text, defaults, lod_rows, run_lod, command);

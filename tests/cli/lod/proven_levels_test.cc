@@ -1,8 +1,11 @@
-// Levels by error: proven as they are written.
+// Levels by error and by the distance of a camera: proven as they are written.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -77,10 +80,56 @@ TEST_F(ProvenLevels, CountWhatCompressionRounds) {
   expect_within(data_file("blob.obj"), "{i}.glb", {"--errors", "0.02%,0.0555%", "--compress"});
 }
 
-TEST_F(ProvenLevels, RefuseCompressionOfOtherFormats) {
-  expect_usage_error(
-      whittle({"lod", data_file("terrain.ply"), "-o", folder_ / "{i}.ply", "--errors", "1%", "--compress"}),
-      {"--compress", "glTF"});
+TEST_F(ProvenLevels, HoldAtTheDistanceOfACamera) {
+  std::vector<std::string> files = gltf_files();
+  for (const std::string name : {"terrain.ply", "blob.obj", "bracket.stl"}) files.push_back(data_file(name));
+  for (const std::string& in : files) {
+    const std::string output = in.substr(in.rfind('.')) == ".glb" ? "{i}.glb" : "{faces}_{i}.ply";
+    const Json report = expect_within(
+        in, output, {"--distances", "1000%,100%", "--target-pixels", "3", "--view-height", "720", "--fov", "40"});
+    ASSERT_EQ(report["levels"].size(), 2U);
+    const double diagonal = report["input"]["diagonal"];
+    double expected = diagonal;
+    for (const Json& level : report["levels"]) {
+      const double distance = level["distance"];
+      EXPECT_NEAR(distance, expected, 1e-12 * expected);
+      expected *= 10;
+      const double pixels =
+          level["max_error"].get<double>() * 720 / (2 * distance * std::tan(20 * std::numbers::pi / 180));
+      EXPECT_NEAR(pixels, 3, 1e-9);
+    }
+  }
+}
+
+TEST_F(ProvenLevels, AreThoseOfTheErrorThatIsAPixel) {
+  const std::string in = data_file("terrain.ply");
+  const Json seen = expect_within(in, "seen_{i}.ply", {"--distances", "5,20", "--threads", "1"});
+  std::string errors;
+  for (const Json& level : seen["levels"]) errors += (errors.empty() ? "" : ",") + level["max_error"].dump();
+  const Json near = expect_within(in, "near_{i}.ply", {"--errors", errors});
+  for (const std::string number : {"0", "1"}) {
+    EXPECT_EQ(read_text(folder_ / ("seen_" + number + ".ply")), read_text(folder_ / ("near_" + number + ".ply")));
+  }
+  EXPECT_EQ(near["levels"][0]["distance"], nullptr);
+}
+
+TEST_F(ProvenLevels, SayWhatTheyAreAndWhatCantBe) {
+  const std::string in = data_file("terrain.ply");
+  const std::string out = folder_ / "{i}.ply";
+  const Outcome run = whittle({"lod", in, "-o", out, "--distances", "10", "--target-pixels", "1.5"});
+  EXPECT_THAT(run.err, testing::HasSubstr("which is 1.5 pixels at 10 ("));
+  const auto lod = [&](const Arguments& more) { return whittle(with_more({"lod", in}, more)); };
+  expect_usage_error(lod({"-o", out, "--distances", "0"}), {"--distances", "above 0"});
+  expect_usage_error(lod({"-o", out, "--distances", "1", "--faces", "9"}), {"--distances", "only one"});
+  expect_usage_error(lod({"-o", out, "--distances", "1", "--fov", "180"}), {"--fov"});
+  expect_usage_error(lod({"-o", out, "--distances", "1", "--target-pixels", "0"}), {"--target-pixels"});
+  expect_usage_error(lod({"-o", out, "--faces", "9", "--target-pixels", "2"}), {"--target-pixels", "--distances"});
+  expect_usage_error(lod({"-o", folder_ / "a.glb", "--faces", "9", "--fov", "50"}), {"--fov", "--distances"});
+  expect_usage_error(lod({"-o", out, "--errors", "1%", "--compress"}), {"--compress", "glTF"});
+  EXPECT_EQ(lod({"-o", folder_ / "n.stl", "--distances", "1e-12"}).exit_code, 2);
+  const Outcome near = lod({"-o", folder_ / "n{i}.stl", "--distances", "1e-12"});
+  EXPECT_EQ(near.exit_code, 1) << near;
+  EXPECT_THAT(near.err, testing::HasSubstr("not even all faces of the input"));
 }
 
 }  // namespace

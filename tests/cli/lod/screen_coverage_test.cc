@@ -76,5 +76,20 @@ TEST(ScreenCoverage, LeavesAPixelAtMostWhereverAMeshIsShown) {
   }
 }
 
+TEST(ScreenCoverage, FollowsTheErrorThatMayBeSeen) {
+  const TemporaryFolder folder;
+  const auto coverage_of = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command{"lod", data_file("blob.obj"), "--ratios", "20%,5%", "-o", folder / "out.glb"};
+    command.insert(command.end(), more.begin(), more.end());
+    const Outcome outcome = whittle(command);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    const Json document = Json::parse(gltf::Asset::read(folder / "out.glb").document());
+    return document["nodes"][0]["extras"]["MSFT_screencoverage"].get<std::vector<double>>();
+  };
+  const std::vector<double> usual = coverage_of({});
+  const std::vector<double> seen = coverage_of({"--target-pixels", "2", "--view-height", "720"});
+  for (std::size_t i = 0; i < usual.size(); ++i) EXPECT_DOUBLE_EQ(seen[i], std::min(1.0, 9 * usual[i]));
+}
+
 }  // namespace
 }  // namespace whittle::test

@@ -404,7 +404,9 @@ TEST(ReportKeys, OfLodAreDocumented) {
               {terrain, "--output", out, "--format", "ply", "--face-ratios", "10%", "--no-weld", "--fit", "max"},
               {terrain, "-o", out, "--output-format", "ply", "--input-format", "ply", "--errors", "1%", "--weld", "0",
                "--force", "--color", "never"},
-              {terrain, "-o", folder / "out.glb", "--faces", "600,300", "--compress"}});
+              {terrain, "-o", folder / "out.glb", "--faces", "600,300", "--compress"},
+              {terrain, "-o", folder / "out.glb", "--distances", "500%", "--target-pixels", "2", "--view-height", "720",
+               "--fov", "50"}});
 }
 
 TEST(ReportKeys, OfVerifyAreDocumented) {

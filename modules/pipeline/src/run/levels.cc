@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "run/proof.hh"
+#include "whittle/core/detail/portable_math.hh"
 #include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/progress.hh"
@@ -36,6 +37,14 @@ void check(const LevelTargets& targets) {
   for (const Length& error : targets.errors) {
     if (!(error.value > 0)) throw std::invalid_argument("the error of a level is not above 0");
   }
+  for (const Length& distance : targets.distances) {
+    if (!(distance.value > 0)) throw std::invalid_argument("the distance of a level is not above 0");
+  }
+  const CameraView& view = targets.view;
+  if (!(view.target_pixels > 0 && view.height > 0 && view.fov_deg > 0 && view.fov_deg < 180)) {
+    throw std::invalid_argument(
+        "a view needs pixels, a height and a field of view above 0, and that below 180 degrees");
+  }
 }
 
 /// Counts in descending order, each once.
@@ -58,14 +67,25 @@ std::vector<DecimateTarget> counts_of(const LevelTargets& targets, const Scene& 
   return result;
 }
 
-/// The errors in model units, ascending, each once.
-std::vector<double> errors_of(const LevelTargets& targets, const Scene& scene) {
+/// A limit of a level's error, model units.
+struct Limit {
+  double error;
+  std::optional<double> distance;  ///< of the camera, from which it follows
+};
+
+/// Limits by error, ascending, each once.
+std::vector<Limit> limits_of(const LevelTargets& targets, const Scene& scene) {
   const double diagonal = diagonal_of(bounds_of(scene.read.mesh));
-  std::vector<double> errors;
-  for (const Length& error : targets.errors) errors.push_back(error.in_units(diagonal));
-  std::sort(errors.begin(), errors.end());
-  errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
-  return errors;
+  std::vector<Limit> limits;
+  for (const Length& error : targets.errors) limits.push_back({error.in_units(diagonal), std::nullopt});
+  for (const Length& length : targets.distances) {
+    const double distance = length.in_units(diagonal);
+    limits.push_back({distance * targets.view.error_over_distance(), distance});
+  }
+  std::sort(limits.begin(), limits.end(), [](const Limit& a, const Limit& b) { return a.error < b.error; });
+  const auto is_same = [](const Limit& a, const Limit& b) { return a.error == b.error; };
+  limits.erase(std::unique(limits.begin(), limits.end(), is_same), limits.end());
+  return limits;
 }
 
 /// A run that can't go on leaves levels out.
@@ -130,7 +150,7 @@ std::vector<Level> levels_by_count(const Scene& scene, const LevelTargets& targe
                                    const SimplifyOptions& options) {
   std::vector<Level> levels;
   for (Simplification& level : simplify_to_levels(scene.read.mesh, counts_of(targets, scene), effort, options)) {
-    levels.push_back({std::move(level), std::nullopt});
+    levels.push_back({std::move(level), std::nullopt, std::nullopt});
   }
   return levels;
 }
@@ -138,7 +158,10 @@ std::vector<Level> levels_by_count(const Scene& scene, const LevelTargets& targe
 /// \param options a run by them may end early
 std::vector<Level> levels_by_error(const Scene& scene, const LevelTargets& targets, Effort effort,
                                    const SimplifyOptions& options, const LevelsProof& proof) {
-  const std::vector<double> errors = errors_of(targets, scene);
+  const std::vector<Limit> limits = limits_of(targets, scene);
+  std::vector<double> errors;
+  errors.reserve(limits.size());
+  for (const Limit& limit : limits) errors.push_back(limit.error);
   const auto is_within = [&proof](const Decimation& level, double distance) {
     return proof.is_within(level, distance);
   };
@@ -146,12 +169,17 @@ std::vector<Level> levels_by_error(const Scene& scene, const LevelTargets& targe
       progressive::levels_within(scene.read.mesh, errors, effort, options, is_within);
   std::vector<Level> levels;
   for (std::size_t i = 0; i < proven.size(); ++i) {
-    levels.push_back({std::move(proven[i]), errors[i]});
+    levels.push_back({std::move(proven[i]), limits[i].error, limits[i].distance});
   }
   return levels;
 }
 
 }  // namespace
+
+double CameraView::error_over_distance() const {
+  const double tangent = detail::cosine_of_deg(90 - fov_deg / 2) / detail::cosine_of_deg(fov_deg / 2);
+  return 2 * tangent * error_rel();
+}
 
 Levels make_levels(const Scene& scene, const LevelTargets& targets, Effort effort, const SimplifyOptions& options,
                    const SceneOutput& output, const SceneReadOptions& reading) {
@@ -164,7 +192,7 @@ Levels make_levels(const Scene& scene, const LevelTargets& targets, Effort effor
       return !is_cancelled;
     };
   }
-  const bool is_by_error = !targets.errors.empty();
+  const bool is_by_error = !targets.errors.empty() || !targets.distances.empty();
   Levels levels;
   levels.levels = is_by_error ? levels_by_error(scene, targets, effort, watched, LevelsProof(scene, output, reading))
                               : levels_by_count(scene, targets, effort, watched);
