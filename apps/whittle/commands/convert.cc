@@ -19,6 +19,7 @@ struct ConvertCommand {
   std::string input;
   std::string output;
   FileOptions files;
+  gltf::WriteOptions gltf;
   CommonOptions common;
 };
 
@@ -28,12 +29,19 @@ struct Conversion {
   std::vector<std::string> warnings;
 };
 
+/// How files are read and written.
+OptionRows setting_rows(ConvertCommand& options) {
+  OptionRows rows = file_rows(options.files);
+  append(rows, gltf_rows(options.gltf));
+  return rows;
+}
+
 Json convert_json(ConvertCommand& options, const Conversion& run, double total_seconds) {
   const IndexedMesh& mesh = run.input.read.mesh;
   Json json = new_report();
   json["input"] = input_json(run.input, mesh.faces.empty() ? 0 : diagonal_of(bounds_of(mesh)));
   json["input"]["format"] = run.input.format->name;
-  json["options"] = options_json(file_rows(options.files));
+  json["options"] = options_json(setting_rows(options));
   json["output"] = {{"path", options.output},
                     {"format", format_for_output(options.output, options.files).name},
                     {"vertices", mesh.positions.size()},
@@ -46,6 +54,7 @@ Json convert_json(ConvertCommand& options, const Conversion& run, double total_s
 
 void check(const ConvertCommand& options) {
   check_formats({options.input}, {options.output}, options.files);
+  check_rounding(options.output, options.files, options.gltf);
   std::vector<Output> outputs{{"OUT", options.output}};
   if (options.common.json) outputs.push_back({"--json", *options.common.json});
   check_outputs(outputs, {options.input}, options.common.force);
@@ -68,7 +77,7 @@ ExitCode run_convert(const Given& /*given*/, ConvertCommand options) {
   const Stopwatch writing;
   OutputFiles files(options.common.force);
   files.protect(run.input.needed_files);
-  write_result(files, output_of(options.output, options.files), run.input, mesh, talk, run.warnings);
+  write_result(files, output_of(options.output, options.files, options.gltf), run.input, mesh, talk, run.warnings);
   run.write_seconds = writing.seconds();
   commit_with_report(files, options.common, [&] { return convert_json(options, run, watch.seconds()); });
   talk.say(shown_output(options.output) + ": " + faces_text(mesh.faces.size()) + ", " +
@@ -81,7 +90,7 @@ OptionRows convert_rows(ConvertCommand& options) {
   OptionRows rows{
       mesh_argument(options.input, options.files),
       file_argument("OUT", options.output, "the result: a file, replaced if it exists, or '-' for standard output")};
-  append(rows, file_rows(options.files));
+  append(rows, setting_rows(options));
   append(rows, common_rows(options.common));
   return rows;
 }

@@ -35,7 +35,7 @@ struct LodCommand {
   Effort effort = Effort::normal;
   Fit fit = Fit::balanced;
   FileOptions files;
-  bool compresses_gltf = false;
+  gltf::WriteOptions gltf;
   CommonOptions common;
 };
 
@@ -113,7 +113,7 @@ OptionRows setting_rows(LodCommand& options) {
   OptionRows rows = view_rows(options.targets.view);
   append(rows, {effort_row(options.effort), fit_row(options.fit)});
   append(rows, file_rows(options.files));
-  rows.push_back(compress_row(options.compresses_gltf));
+  append(rows, gltf_rows(options.gltf));
   return rows;
 }
 
@@ -153,7 +153,7 @@ std::string shared_path_of(const std::string& output) {
 
 /// The file of a level, or of all.
 SceneOutput level_output(const LodCommand& options, const std::string& path) {
-  SceneOutput output = output_of(path, options.files, options.compresses_gltf);
+  SceneOutput output = output_of(path, options.files, options.gltf);
   output.level_error_rel = options.targets.view.error_rel();
   if (!is_one_file(options)) output.shared_path = shared_path_of(options.output);
   return output;
@@ -236,9 +236,7 @@ void check(const LodCommand& options) {
         "--output needs '{faces}', '{vertices}' or '{i}' in it, such as 'out_{faces}.ply', or has to be one glTF file");
   }
   check_formats({options.input}, {options.output}, options.files);
-  if (options.compresses_gltf && !writes_document(options.output, options.files)) {
-    throw UsageError("--compress is for outputs in glTF");
-  }
+  check_rounding(options.output, options.files, options.gltf);
   std::vector<Output> outputs{{"--output", options.output}};
   if (options.common.json) outputs.push_back({"--json", *options.common.json});
   check_outputs(outputs, {options.input}, options.common.force);

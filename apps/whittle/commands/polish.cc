@@ -26,7 +26,7 @@ struct PolishCommand {
   std::string input;
   std::string output;
   FileOptions files;
-  bool compresses_gltf = false;
+  gltf::WriteOptions gltf;
   unsigned passes = 3;
   Fit fit = Fit::balanced;
   CommonOptions common;
@@ -52,7 +52,7 @@ OptionRows polish_rows(PolishCommand& options) {
                    .key = "passes"},
                   fit_row(options.fit)};
   append(rows, file_rows(options.files));
-  rows.push_back(compress_row(options.compresses_gltf));
+  append(rows, gltf_rows(options.gltf));
   append(rows, common_rows(options.common));
   return rows;
 }
@@ -80,8 +80,7 @@ void write_files(PolishCommand& options, const Talk& talk, const Stopwatch& sinc
   OutputFiles files(options.common.force);
   files.protect(run.reference.needed_files);
   files.protect(run.input.needed_files);
-  write_result(files, output_of(options.output, options.files, options.compresses_gltf), run.input, run.mesh, talk,
-               run.warnings);
+  write_result(files, output_of(options.output, options.files, options.gltf), run.input, run.mesh, talk, run.warnings);
   run.write_seconds = watch.seconds();
   commit_with_report(files, options.common, [&] { return polish_report(options, run, since_start.seconds()); });
 }

@@ -34,7 +34,7 @@ struct ReplayCommand {
   std::optional<double> cost, at;
   std::optional<Series> series;
   FileOptions files;
-  bool compresses_gltf = false;
+  gltf::WriteOptions gltf;
   CommonOptions common;
 };
 
@@ -127,8 +127,7 @@ void check(const ReplayCommand& options) {
 void write_level(const ReplayCommand& options, const std::string& path, RecordedRun& recorded, IndexedMesh mesh,
                  OutputFiles& files, const Talk& talk, ReplayRun& run) {
   if (recorded.texcoords_grow_down && !recorded.input.document) flip_texcoords(mesh);
-  write_result(files, output_of(path, options.files, options.compresses_gltf), recorded.input, mesh, talk,
-               run.warnings);
+  write_result(files, output_of(path, options.files, options.gltf), recorded.input, mesh, talk, run.warnings);
 }
 
 void write_levels(const ReplayCommand& options, RecordedRun& recorded, OutputFiles& files, const Talk& talk,
@@ -194,7 +193,7 @@ OptionRows replay_rows(ReplayCommand& options) {
                 recording_input_row(options.recording,
                                     ", or for what the mesh in REC lacks, such as the materials of glTF")});
   append(rows, file_rows(options.files));
-  rows.push_back(compress_row(options.compresses_gltf));
+  append(rows, gltf_rows(options.gltf));
   append(rows, common_rows(options.common));
   return rows;
 }

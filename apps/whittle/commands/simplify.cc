@@ -37,7 +37,7 @@ Input read(const SimplifyCommand& options, const Request& request, const Talk& t
 
 void make_plan(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
   Request request = request_of(options);
-  request.output = output_of(options.output, options.files, options.compresses_gltf);
+  request.output = output_of(options.output, options.files, options.gltf);
   Input input = read(options, request, talk);
   record.read_seconds = input.seconds;
   warn(options.warnings, talk, record);

@@ -47,6 +47,12 @@ bool writes_document(const std::string& path, const FileOptions& options) {
   return options.writes_documents && format != nullptr && format->is_document;
 }
 
+void check_rounding(const std::string& path, const FileOptions& options, const gltf::WriteOptions& gltf) {
+  if (!gltf.rounds() || writes_document(path, options)) return;
+  throw UsageError(std::string(rounding_options(gltf)) + (gltf.compress && gltf.quantize ? " are" : " is") +
+                   " for outputs in glTF");
+}
+
 SceneScope scope_for(const std::string& path, const FileOptions& options, bool keeps_attributes) {
   return whittle::scope_for(writes_document(path, options) ? format_by_name(path) : nullptr, keeps_attributes);
 }
@@ -55,8 +61,8 @@ std::string needs_format(const std::string& option) {
   return "'-' needs --format or " + option + ": one of " + io::format_names();
 }
 
-SceneOutput output_of(const std::string& path, const FileOptions& options, bool compresses) {
-  return {path, &format_for_output(path, options), options.ascii, compresses};
+SceneOutput output_of(const std::string& path, const FileOptions& options, const gltf::WriteOptions& gltf) {
+  return {path, &format_for_output(path, options), options.ascii, gltf};
 }
 
 void write_result(OutputFiles& files, const SceneOutput& output, Scene& scene, const IndexedMesh& mesh,

@@ -144,11 +144,15 @@ OptionRows file_rows(FileOptions& options) {
   return rows;
 }
 
-OptionRow compress_row(bool& compresses_gltf) {
-  return {.names = "--compress",
-          .access = flag(compresses_gltf),
-          .help = "compress the geometry of a glTF file: rounded, and by EXT_meshopt_compression",
-          .key = "compress"};
+OptionRows gltf_rows(gltf::WriteOptions& options) {
+  return {{.names = "--compress",
+           .access = flag(options.compress),
+           .help = "compress the geometry of a glTF file: rounded, and by EXT_meshopt_compression",
+           .key = "compress"},
+          {.names = "--quantize",
+           .access = flag(options.quantize),
+           .help = "write the geometry of a glTF file as integers of 8 and 16 bits: KHR_mesh_quantization",
+           .key = "quantize"}};
 }
 
 OptionRow side_file_row(const std::string& name, std::optional<std::string>& path, const std::string& what) {

@@ -52,8 +52,8 @@ OptionRow weld_row(FileOptions& options);
 OptionRows input_rows(FileOptions& options);
 /// The rows for reading, --output-format and --ascii.
 OptionRows file_rows(FileOptions& options);
-/// --compress.
-OptionRow compress_row(bool& compresses_gltf);
+/// --compress and --quantize.
+OptionRows gltf_rows(gltf::WriteOptions& options);
 
 /// A file to write besides the result: off, or its name. \param what "write …"
 OptionRow side_file_row(const std::string& name, std::optional<std::string>& path, const std::string& what);

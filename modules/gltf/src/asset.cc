@@ -26,6 +26,7 @@
 #include "whittle/io/whole_file.hh"
 #include "write/level_nodes.hh"
 #include "write/output.hh"
+#include "write/quantization.hh"
 #include "write/references.hh"
 #include "write/share_buffer.hh"
 
@@ -34,7 +35,7 @@ namespace whittle::gltf {
 Output Asset::Content::output(const Replacements& replaced, const WriteOptions& options) const {
   const bool compress = options.compress && !replaced.empty();
   if (compress && !has_meshopt()) throw std::invalid_argument("this build can't compress: it has no meshoptimizer");
-  return make_output(model, document, replaced, compress);
+  return make_output(model, document, replaced, options);
 }
 
 namespace {
@@ -286,7 +287,7 @@ std::vector<std::vector<Material>> Asset::materials() const {
   return materials;
 }
 
-std::vector<std::string> Asset::warnings() const {
+std::vector<std::string> Asset::warnings(const WriteOptions& options) const {
   std::vector<std::string> warnings;
   for (const auto& [mesh, triangles] : content_->replacements) {
     const std::set<std::string> extensions = extensions_in(content_->document["meshes"][mesh]);
@@ -294,6 +295,11 @@ std::vector<std::string> Asset::warnings() const {
       if (!extensions.contains(std::string(name))) continue;
       warnings.push_back(mesh_name(mesh) + ": dropped " + std::string(name) + ", which is about single vertices");
     }
+  }
+  if (!options.quantize) return warnings;
+  const Quantization quantization = quantization_of(content_->document, content_->model, content_->replacements);
+  for (const auto& [mesh, why] : quantization.kept) {
+    warnings.push_back(mesh_name(mesh) + ": its positions stay real numbers, as " + why);
   }
   return warnings;
 }

@@ -246,12 +246,16 @@ def read(
     return Mesh._of(_core.Mesh.read(os.fspath(path), _length(weld), as_shown, threads))
 
 
-def write(path: str | os.PathLike[str], mesh: Mesh, *, ascii: bool = False, compress: bool = False) -> None:
+def write(
+    path: str | os.PathLike[str], mesh: Mesh, *, ascii: bool = False, compress: bool = False, quantize: bool = False
+) -> None:
     """Writes a mesh, or the result of `simplify`, in the format that the extension of the path tells.
+
+    `compress` and `quantize` are for glTF, as the program's `--compress` and `--quantize`.
 
     Raises
     ------
     whittle.WriteError
         The file can't be written.
     """
-    warn(mesh._core.write(os.fspath(path), ascii, compress))
+    warn(mesh._core.write(os.fspath(path), ascii, compress, quantize))

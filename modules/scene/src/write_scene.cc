@@ -12,6 +12,11 @@ bool keeps_meshes(const Scene& scene, const SceneOutput& output) {
   return keeps_meshes(scene) && output.format->is_document;
 }
 
+std::string_view rounding_options(const gltf::WriteOptions& options) {
+  if (options.compress && options.quantize) return "--compress and --quantize";
+  return options.quantize ? "--quantize" : "--compress";
+}
+
 void write_scene(io::OutputFiles& files, const SceneOutput& output, Scene& scene, const IndexedMesh& mesh,
                  SceneMessages& messages) {
   output.format->write(files, output, scene, &mesh, {}, messages);
@@ -19,8 +24,8 @@ void write_scene(io::OutputFiles& files, const SceneOutput& output, Scene& scene
 
 void write_levels(io::OutputFiles& files, const SceneOutput& output, Scene& scene, CoarserLevels levels,
                   SceneMessages& messages) {
-  // Only replaced geometry is compressed.
-  output.format->write(files, output, scene, output.compress ? &scene.read.mesh : nullptr, levels, messages);
+  // Only replaced geometry is rounded.
+  output.format->write(files, output, scene, output.gltf.rounds() ? &scene.read.mesh : nullptr, levels, messages);
 }
 
 IndexedMesh as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,

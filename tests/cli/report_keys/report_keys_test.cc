@@ -249,7 +249,7 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
       {blob, "-o", out, "--faces", "500", "--attributes", "position-only", "--seams", "keep", "--regions", "none",
        "--categories", "none"},
       {cube, "-o", folder / "weighed.glb", "--faces", "100", "--attribute-weight", "uv=1"},
-      {cube, "-o", folder / "small.glb", "--faces", "100", "--compress", "--per-mesh"},
+      {cube, "-o", folder / "small.glb", "--faces", "100", "--compress", "--quantize", "--per-mesh"},
       {blob, cubes, "--join", "-o", out, "--faces", "500"},
       {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply", "--ascii",
        "--faces", "200"}};
@@ -302,7 +302,7 @@ TEST(ReportKeys, OfPolishAreDocumented) {
                   "--threads", "1"},
                  {blob, blob, "-o", out, "--input-format", "obj", "--output-format", "ply", "--ascii", "--passes", "0",
                   "--weld", "0"},
-                 {blob, blob, "-o", folder / "out.glb", "--passes", "0", "--compress"}});
+                 {blob, blob, "-o", folder / "out.glb", "--passes", "0", "--compress", "--quantize"}});
 }
 
 TEST(ReportKeys, OfCompareAreDocumented) {
@@ -326,7 +326,8 @@ TEST(ReportKeys, OfConvertAreDocumented) {
   std::filesystem::copy_file(data_file("cubes.obj"), bare);
   expect_documented("convert", {{bare, folder / "out", "--format", "obj", "--quiet", "--no-weld", "--force"},
                                 {bare, folder / "out.ply", "--input-format", "obj", "--output-format", "ply", "--ascii",
-                                 "--weld", "auto", "--verbose", "--threads", "1", "--color", "never"}});
+                                 "--weld", "auto", "--verbose", "--threads", "1", "--color", "never"},
+                                {bare, folder / "out.glb", "--input-format", "obj", "--compress", "--quantize"}});
 }
 
 /// Writes recordings of the terrain: one with its mesh, and one without.
@@ -388,7 +389,7 @@ TEST(ReportKeys, OfReplayAreDocumented) {
       "replay", {{rec, "-o", out, "--format", "ply", "--faces", "600", "--verbose", "--ascii"},
                  {rec, "-o", out, "--output-format", "obj", "--vertices", "600", "--quiet", "--threads", "1"},
                  {bare, "--output", out, "--format", "ply", "--input", terrain, "--cost", "1e-9", "--no-weld"},
-                 {rec, "-o", folder / "out.glb", "--at", "1", "--compress"},
+                 {rec, "-o", folder / "out.glb", "--at", "1", "--compress", "--quantize"},
                  {bare, "-o", out, "--output-format", "ply", "--input", terrain, "--input-format", "ply", "--at", "0.5",
                   "--weld", "0", "--force", "--color", "never"},
                  {rec, "-o", folder / "out{i}.ply", "--steps", "0:1:3"}});
@@ -404,7 +405,7 @@ TEST(ReportKeys, OfLodAreDocumented) {
               {terrain, "--output", out, "--format", "ply", "--face-ratios", "10%", "--no-weld", "--fit", "max"},
               {terrain, "-o", out, "--output-format", "ply", "--input-format", "ply", "--errors", "1%", "--weld", "0",
                "--force", "--color", "never"},
-              {terrain, "-o", folder / "out.glb", "--faces", "600,300", "--compress"},
+              {terrain, "-o", folder / "out.glb", "--faces", "600,300", "--compress", "--quantize"},
               {terrain, "-o", folder / "out.glb", "--distances", "500%", "--target-pixels", "2", "--view-height", "720",
                "--fov", "50"}});
 }

@@ -90,7 +90,8 @@ void write_three_knots(const std::string& path) {
 TEST_F(GltfCertificate, IsAboutEachPlaceOfAMesh) {
   write_three_knots(in_);
   const double limit = 0.05;
-  for (const Arguments& more : {Arguments{}, {"--compress"}, {"--topology", "free", "--boundary", "free"}}) {
+  for (const Arguments& more :
+       {Arguments{}, {"--compress"}, {"--quantize"}, {"--topology", "free", "--boundary", "free"}}) {
     SCOPED_TRACE(testing::PrintToString(more));
     Arguments options{"--max-error", std::to_string(limit)};
     options.insert(options.end(), more.begin(), more.end());
@@ -184,7 +185,8 @@ TEST_F(GltfCertificate, IsRefusedWhereRoundingIsLargerThanTheLimit) {
 
 TEST_F(GltfCertificate, RefusesWhatCountsAMeshOnce) {
   write_three_knots(in_);
-  for (const Arguments& wish : {Arguments{"--compress", "--certify"}, {"--certificate", proof_}}) {
+  for (const Arguments& wish :
+       {Arguments{"--compress", "--certify"}, {"--quantize", "--certify"}, {"--certificate", proof_}}) {
     for (const Arguments& other : {Arguments{"--prune", "1%"}, {"--tolerance-map", folder_ / "map"}}) {
       Arguments all{"simplify", in_, "-o", out_, "--max-error", "0.05"};
       all.insert(all.end(), wish.begin(), wish.end());

@@ -471,6 +471,7 @@ TEST(Gltf, RefusesWhatItCannotDo) {
   write_gltf_cube(in, 3);
   const std::string out = folder / "out.glb";
   expect_usage_error(whittle({"simplify", in, "-o", folder / "o.ply", "--faces", "9", "--compress"}), {"--compress"});
+  expect_usage_error(whittle({"convert", in, folder / "o.ply", "--quantize"}), {"--quantize", "glTF"});
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--per-mesh", "--curve", folder / "c.svg"},
                                                   {"--per-mesh", "--page", folder / "p.html"},
                                                   {"--per-mesh", "--live", folder / "p.html"},

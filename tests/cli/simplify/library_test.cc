@@ -39,7 +39,8 @@ std::vector<std::string> arguments_of(const std::string& text) {
 void set_file_option(const std::string& name, Request& request) {
   if (name == "--no-weld") request.reading.weld = false;
   if (name == "--ascii") request.output.ascii = true;
-  if (name == "--compress") request.output.compress = true;
+  if (name == "--compress") request.output.gltf.compress = true;
+  if (name == "--quantize") request.output.gltf.quantize = true;
 }
 
 Request request_of(const std::string& options) {
@@ -214,6 +215,7 @@ std::vector<Run> single_runs() {
       {"cube.glb", "glb", "--face-ratio 20%"},
       {"cube.glb", "gltf", "--max-error 1%"},
       {"cube.glb", "glb", "--face-ratio 20% --compress"},
+      {"cube.glb", "glb", "--face-ratio 20% --quantize"},
       {"cube.glb", "obj", "--faces 100"},
       {"cube.glb", "glb", "--faces 60 --attributes position-only"},
       {"scene.glb", "glb", "--face-ratio 20%"},

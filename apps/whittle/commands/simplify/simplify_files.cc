@@ -86,7 +86,7 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
   const Stopwatch watch;
   OutputFiles files(options.common.force);
   files.protect(record.plan.scene.needed_files);
-  write_result(files, output_of(options.output, options.files, options.compresses_gltf), record.plan.scene,
+  write_result(files, output_of(options.output, options.files, options.gltf), record.plan.scene,
                record.outcome.simplified.mesh, talk, record.warnings);
   const auto write = [&files](const std::optional<std::string>& path, const auto& fill) {
     if (path) files.write(*path, fill);

@@ -94,7 +94,7 @@ OptionRows output_rows(SimplifyCommand& options) {
                    .key = "join"}};
   append(rows, file_rows(options.files));
   append(rows, side_file_rows(options));
-  rows.push_back(compress_row(options.compresses_gltf));
+  append(rows, gltf_rows(options.gltf));
   return in_group(std::move(rows), file_group);
 }
 
@@ -140,7 +140,8 @@ Request request_of(const SimplifyCommand& run) {
 
 /// \throw UsageError for options that don't go with a proof about a scene as it is shown
 void check_proof_of_scene(const SimplifyCommand& options) {
-  const std::string proof = options.certificate ? "--certificate" : "the proof of what --compress writes";
+  const std::string rounded = "the proof of what " + std::string(rounding_options(options.gltf)) + " writes";
+  const std::string proof = options.certificate ? "--certificate" : rounded;
   if (options.request.prune) throw UsageError("'--prune': " + proof + " is about all of IN");
   if (options.request.tolerance_map) {
     throw UsageError("'--tolerance-map': " + proof + " counts a vertex of glTF as often as the scene shows it");
@@ -150,7 +151,7 @@ void check_proof_of_scene(const SimplifyCommand& options) {
 /// \throw UsageError for options that don't go with glTF, or with glTF alone
 void check_gltf(const SimplifyCommand& options) {
   const bool is_written = writes_document(options.output, options.files);
-  if (options.compresses_gltf && !is_written) throw UsageError("--compress is for outputs in glTF");
+  check_rounding(options.output, options.files, options.gltf);
   const auto is_read_as_gltf = [&](const std::string& path) { return reads_document(path, options.files); };
   const bool is_read = std::any_of(options.inputs.begin(), options.inputs.end(), is_read_as_gltf);
   if (options.request.is_per_mesh && !std::all_of(options.inputs.begin(), options.inputs.end(), is_read_as_gltf)) {
@@ -163,7 +164,7 @@ void check_gltf(const SimplifyCommand& options) {
     throw UsageError("--map and --map-back don't take glTF: its vertices are those of primitives");
   }
   Request request = request_of(options);
-  request.output.compress = options.compresses_gltf;
+  request.output.gltf = options.gltf;
   if (is_read && options.files.scope != SceneScope::scene && request.proves_file()) check_proof_of_scene(options);
   if (is_read && options.files.scope != SceneScope::scene &&
       (options.request.threshold.is_automatic || options.request.threshold.length.value > 0)) {

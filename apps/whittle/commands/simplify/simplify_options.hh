@@ -38,7 +38,7 @@ struct SimplifyCommand {
   FrameOptions pictures;                   ///< of the run
   bool embeds_input = true;                ///< whether the recording has the input in it
   bool compresses_recording = false;
-  bool compresses_gltf = false;
+  gltf::WriteOptions gltf;
   bool joins = false;  ///< whether all inputs are one mesh (`read_joined`)
   bool strict = false;
   std::vector<std::string> warnings;  ///< of options that do nothing

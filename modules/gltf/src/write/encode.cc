@@ -4,16 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "whittle/core/geometry/box.hh"
-
 namespace whittle::gltf {
 namespace {
 
-constexpr int grid_bits = 16;
 /// Exponent of compressed texture coordinates, and of morph targets of directions.
 constexpr int fine_exponent = -16;
-/// Whole numbers of 24 bits with a sign.
-constexpr double largest_mantissa = 0x1p23 - 1;
 
 struct StoredType {
   ScalarType type = ScalarType::float32;
@@ -54,10 +49,10 @@ StoredType stored_type(const Channel& channel, const Accessor& documented, const
   return documented_type(documented, values);
 }
 
-std::optional<int> exponent_for(const Channel& channel, const Compression& compression) {
+std::optional<int> exponent_for(const Channel& channel, const Packing& packing) {
   const std::string_view name = attribute_name(channel.name);
   if (name == "POSITION") {
-    if (compression.grid) return compression.grid->exponent;
+    if (packing.grid) return packing.grid->exponent;
     return {};
   }
   const bool is_fine =
@@ -114,23 +109,59 @@ void append_directions(Encoded& to, const std::vector<double>& values) {
   to.bytes = encode_octahedral(vectors);
 }
 
-bool append_compressible(Encoded& to, const Channel& channel, std::vector<double>& values,
-                         const Compression& compression) {
-  const bool is_direction = !is_of_target(channel) && ((channel.name == "NORMAL" && to.shape == ElementShape{3, 1}) ||
-                                                       (channel.name == "TANGENT" && to.shape == ElementShape{4, 1}));
-  if (is_direction) {
-    append_directions(to, values);
-    return true;
+/// Positions as whole numbers of steps from the grid's origin; those of morph targets are differences.
+void append_integers(Encoded& to, const Channel& channel, std::vector<double>& values, const Grid& grid) {
+  const bool is_difference = is_of_target(channel);
+  to.type = is_difference ? ScalarType::int16 : ScalarType::uint16;
+  const Vec3 origin = is_difference ? Vec3::Zero() : *grid.origin;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = std::round(std::ldexp(values[i], -grid.exponent)) -
+                std::ldexp(origin[static_cast<Eigen::Index>(i % 3)], -grid.exponent);
   }
+  append_values(to, values);
+}
+
+bool is_direction(const Channel& channel, const ElementShape& shape) {
+  return (channel.name == "NORMAL" && shape == ElementShape{3, 1}) ||
+         (channel.name == "TANGENT" && shape == ElementShape{4, 1});
+}
+
+/// The smallest integers that hold values in [-1, 1] or [0, 1] well enough; none if they stay as they are.
+std::optional<StoredType> packed_type(const Channel& channel, const StoredType& stored,
+                                      const std::vector<double>& values, const Packing& packing) {
   const std::string_view name = attribute_name(channel.name);
-  const bool fits_16_bits = name.starts_with("COLOR_") || name.starts_with("TEXCOORD_");
-  if (to.type == ScalarType::float32 && fits_16_bits && !is_of_target(channel) && all_within(values, 0, 1)) {
-    to.type = ScalarType::uint16;
-    to.is_normalized = true;
-    return false;
+  if (is_of_target(channel)) {
+    const bool fits = packing.quantizes && (name == "NORMAL" || name == "TANGENT") && all_within(values, -1, 1);
+    return fits ? std::optional(StoredType{ScalarType::int8, true}) : std::nullopt;
   }
-  const std::optional<int> exponent = exponent_for(channel, compression);
-  return to.type == ScalarType::float32 && exponent && append_on_grid(to, values, *exponent);
+  if (name.starts_with("COLOR_") && packing.quantizes) {
+    const bool fits = stored.type != ScalarType::float32 || all_within(values, 0, 1);
+    return fits ? std::optional(StoredType{ScalarType::uint8, true}) : std::nullopt;
+  }
+  if (stored.type != ScalarType::float32 || !(name.starts_with("COLOR_") || name.starts_with("TEXCOORD_"))) return {};
+  if (all_within(values, 0, 1)) return StoredType{ScalarType::uint16, true};
+  return packing.quantizes && name.starts_with("TEXCOORD_") && all_within(values, -1, 1)
+             ? std::optional(StoredType{ScalarType::int16, true})
+             : std::nullopt;
+}
+
+/// \param values become the values read back, of positions
+void append_packed(Encoded& to, const Channel& channel, std::vector<double>& values, const Packing& packing) {
+  const bool is_integer_position =
+      packing.grid && packing.grid->origin && attribute_name(channel.name) == "POSITION" && to.shape.n_rows == 3;
+  if (is_integer_position) return append_integers(to, channel, values, *packing.grid);
+  if (is_direction(channel, to.shape)) {
+    if (packing.compresses) return append_directions(to, values);
+    to.type = ScalarType::int8;
+    to.is_normalized = true;
+  } else if (const auto type = packed_type(channel, {to.type, to.is_normalized}, values, packing)) {
+    to.type = type->type;
+    to.is_normalized = type->is_normalized;
+  } else if (packing.compresses && to.type == ScalarType::float32) {
+    const std::optional<int> exponent = exponent_for(channel, packing);
+    if (exponent && append_on_grid(to, values, *exponent)) return;
+  }
+  append_values(to, values);
 }
 
 /// The range of the values, rounded to 32 bits.
@@ -149,19 +180,8 @@ void find_range(Encoded& of, const std::vector<double>& values) {
 
 }  // namespace
 
-std::optional<Grid> grid_of(const IndexedMesh& triangles) {
-  if (triangles.positions.empty()) return {};
-  const Box box = bounds_of(triangles.positions);
-  const double extent = box.sizes().maxCoeff();
-  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  if (!(extent > 0x1p-80)) return {};
-  const int exponent = std::ilogb(extent) - grid_bits;
-  if (exponent > 100 || farthest >= std::ldexp(largest_mantissa, exponent)) return {};
-  return Grid{exponent};
-}
-
 Encoded encode_channel(const Channel& channel, const Accessor& documented, const std::vector<double>& values,
-                       const Compression* compression) {
+                       const Packing& packing) {
   Encoded encoded;
   const StoredType stored = stored_type(channel, documented, values);
   encoded.type = stored.type;
@@ -169,17 +189,21 @@ Encoded encode_channel(const Channel& channel, const Accessor& documented, const
   encoded.shape = documented.shape;
   encoded.count = values.size() / documented.shape.n_components();
   std::vector<double> read_back = values;
-  if (!compression || !append_compressible(encoded, channel, read_back, *compression)) append_values(encoded, values);
+  if (packing.compresses || packing.quantizes) {
+    append_packed(encoded, channel, read_back, packing);
+  } else {
+    append_values(encoded, values);
+  }
   if (attribute_name(channel.name) == "POSITION") find_range(encoded, read_back);
   return encoded;
 }
 
 Encoded encode_indices(const std::vector<Triangle>& faces, std::size_t n_vertices, const Accessor* documented,
-                       bool compress) {
+                       const Packing& packing) {
   // The largest number of each type is left out: it means that a strip begins anew.
   Encoded encoded;
   encoded.type = n_vertices <= 65535 ? ScalarType::uint16 : ScalarType::uint32;
-  if (documented && documented->type == ScalarType::uint8 && n_vertices <= 255 && !compress) {
+  if (documented && documented->type == ScalarType::uint8 && n_vertices <= 255 && !packing.compresses) {
     encoded.type = ScalarType::uint8;
   }
   encoded.mode = MeshoptMode::triangles;

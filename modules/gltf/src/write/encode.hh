@@ -9,6 +9,7 @@
 #include "geometry/surface.hh"
 #include "model/model.hh"
 #include "whittle/core/indexed_mesh.hh"
+#include "write/grid.hh"
 
 namespace whittle::gltf {
 
@@ -26,28 +27,21 @@ struct Encoded {
   std::vector<double> high;
 };
 
-/// Positions are multiples of 2^exponent, so that compressed ones need few bits.
-struct Grid {
-  int exponent = 0;
-};
-
-/// The coarsest with 2^16 steps along the longest side of all positions. Empty where 24 bits wouldn't do: far away from
-/// the origin.
-std::optional<Grid> grid_of(const IndexedMesh& triangles);
-
-/// How values are written that are to be compressed.
-struct Compression {
-  std::optional<Grid> grid;
+/// How values are written that are to take little space.
+struct Packing {
+  bool compresses = false;   ///< EXT_meshopt_compression: values get the form of its filters
+  bool quantizes = false;    ///< KHR_mesh_quantization: small integers
+  std::optional<Grid> grid;  ///< of positions and their morph targets; none: they aren't rounded
 };
 
 /// \param documented the accessor that the values replace: its shape, and the type where that can be kept
-/// \param compression null: none. \throw std::range_error if a number is too large for 32 bits
+/// \throw std::range_error if a number is too large for 32 bits
 Encoded encode_channel(const Channel& channel, const Accessor& documented, const std::vector<double>& values,
-                       const Compression* compression);
+                       const Packing& packing);
 
 /// Encodes in the smallest type that fits, of 16 bits or more.
-/// \param documented null, or the replaced accessor: 8 bits stay
+/// \param documented null, or the replaced accessor: 8 bits stay, unless they are compressed
 Encoded encode_indices(const std::vector<Triangle>& faces, std::size_t n_vertices, const Accessor* documented,
-                       bool compress);
+                       const Packing& packing);
 
 }  // namespace whittle::gltf

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/extensions.hh"
+#include "write/mesh_nodes.hh"
 #include "write/references.hh"
 
 namespace whittle::gltf {
@@ -14,6 +15,16 @@ namespace {
 bool uses_mesh(const Json& node, std::size_t mesh) {
   const Json* const used = member(node, "mesh");
   return used != nullptr && as_whole(*used) == mesh;
+}
+
+/// Whether a node uses a mesh, or passes it on to a child (`pass_mesh_on`).
+bool shows_mesh(const Json& nodes, const Json& node, std::size_t mesh) {
+  if (uses_mesh(node, mesh)) return true;
+  const Json& children = elements_of(node, "children");
+  return std::any_of(children.begin(), children.end(), [&](const Json& child) {
+    const std::optional<std::size_t> number = as_whole(child);
+    return number && *number < nodes.size() && uses_mesh(nodes[*number], mesh);
+  });
 }
 
 const Json* levels_of(const Json& node) {
@@ -28,47 +39,6 @@ bool has_more_than_mesh(const Json& node) {
   if (extensions == nullptr || !extensions->is_object()) return false;
   const auto items = extensions->items();
   return std::any_of(items.begin(), items.end(), [](const auto& item) { return item.key() != instancing_extension; });
-}
-
-/// Calls `function` with the channels of an animation, and the place of one that moves a node.
-template <class Function>
-void for_each_channel(Json& document, std::size_t node, const Function& function) {
-  if (elements_of(document, "animations").empty()) return;
-  for (Json& animation : document["animations"]) {
-    const std::size_t n_channels = elements_of(animation, "channels").size();
-    for (std::size_t i = 0; i < n_channels; ++i) {
-      Json& channels = animation["channels"];
-      const Json* const target = member(channels[i], "target");
-      const Json* const moved = target == nullptr ? nullptr : member(*target, "node");
-      if (moved != nullptr && as_whole(*moved) == node) function(channels, i);
-    }
-  }
-}
-
-/// Moves a node's mesh into a new child. \return the child's number
-std::size_t pass_mesh_on(Json& document, std::size_t number) {
-  Json& nodes = document["nodes"];
-  const std::size_t child_number = nodes.size();
-  Json child = Json::object();
-  Json& node = nodes[number];
-  if (node.contains("name")) child["name"] = node["name"];
-  for (const char* const key : {"mesh", "skin", "weights"}) {
-    if (!node.contains(key)) continue;
-    child[key] = std::move(node[key]);
-    node.erase(key);
-  }
-  if (node.contains("extensions") && node["extensions"].contains(instancing_extension)) {
-    child["extensions"][std::string(instancing_extension)] = node["extensions"][std::string(instancing_extension)];
-    node["extensions"].erase(std::string(instancing_extension));
-    if (node["extensions"].empty()) node.erase("extensions");
-  }
-  node["children"].push_back(child_number);
-  nodes.push_back(std::move(child));
-  for_each_channel(document, number, [&](Json& channels, std::size_t i) {
-    Json& target = channels[i]["target"];
-    if (target.value("path", "") == "weights") target["node"] = child_number;
-  });
-  return child_number;
 }
 
 void name_level(Json& object, std::size_t level) {
@@ -105,9 +75,9 @@ bool has_levels(const Json& document, std::size_t mesh) {
     const Json* const levels = levels_of(node);
     if (levels == nullptr) return false;
     const Json& ids = elements_of(*levels, "ids");
-    return uses_mesh(node, mesh) || std::any_of(ids.begin(), ids.end(), [&](const Json& id) {
+    return shows_mesh(nodes, node, mesh) || std::any_of(ids.begin(), ids.end(), [&](const Json& id) {
              const std::optional<std::size_t> number = as_whole(id);
-             return number && *number < nodes.size() && uses_mesh(nodes[*number], mesh);
+             return number && *number < nodes.size() && shows_mesh(nodes, nodes[*number], mesh);
            });
   };
   return std::any_of(nodes.begin(), nodes.end(), is_level_of);

@@ -46,10 +46,14 @@ std::vector<Piece> pieces_of(const Mesh& mesh, const IndexedMesh& triangles, boo
   return pieces;
 }
 
-/// The template for written values: the accessor of the input, except for weights to be compressed.
-Accessor documented_for(const Model& model, const Channel& channel, bool compress) {
+/// The template for written values: the accessor of the input, except for joints and weights to be packed.
+Accessor documented_for(const Model& model, const Channel& channel, const Packing& packing) {
   Accessor accessor = model.accessors[channel.accessor];
-  if (compress && channel.name.starts_with("WEIGHTS_") && !is_integer(accessor.type)) {
+  const bool are_weights = channel.name.starts_with("WEIGHTS_");
+  if (packing.quantizes && (are_weights || channel.name.starts_with("JOINTS_"))) {
+    accessor.type = ScalarType::uint8;  // large numbers of joints get 16 bits
+    accessor.is_normalized = are_weights;
+  } else if (packing.compresses && are_weights && !is_integer(accessor.type)) {
     accessor.type = ScalarType::uint16;
     accessor.is_normalized = true;
   }
@@ -59,8 +63,8 @@ Accessor documented_for(const Model& model, const Channel& channel, bool compres
 /// The channels of a piece, and its indices.
 class PieceEncoder {
  public:
-  PieceEncoder(const Model& model, std::size_t mesh, const IndexedMesh& triangles, const Compression* compression)
-      : model_(model), mesh_(mesh), triangles_(triangles), compression_(compression) {}
+  PieceEncoder(const Model& model, std::size_t mesh, const IndexedMesh& triangles, const Packing& packing)
+      : model_(model), mesh_(mesh), triangles_(triangles), packing_(packing) {}
 
   void append(const Piece& piece, std::vector<NewAccessor>& to) const {
     const Primitive& primitive = model_.meshes[mesh_].primitives[piece.primitive];
@@ -76,17 +80,17 @@ class PieceEncoder {
                   "",
                   {},
                   primitive.indices,
-                  encode_indices(piece.faces, piece.wedges.size(), documented, compression_ != nullptr)});
+                  encode_indices(piece.faces, piece.wedges.size(), documented, packing_)});
   }
 
  private:
   void append(const Piece& piece, const Channel& channel, const std::string& name, std::optional<std::size_t> target,
               std::vector<NewAccessor>& to) const {
-    const Accessor documented = documented_for(model_, channel, compression_ != nullptr);
+    const Accessor documented = documented_for(model_, channel, packing_);
     const auto values = values_of(model_, model_.meshes[mesh_], triangles_, piece, channel, documented);
     if (!values) return;
     NewAccessor accessor{mesh_,  piece.primitive,  name,
-                         target, channel.accessor, encode_channel(channel, documented, *values, compression_)};
+                         target, channel.accessor, encode_channel(channel, documented, *values, packing_)};
     const bool had_bytes =
         documented.view || documented.sparse || model_.meshes[mesh_].primitives[piece.primitive].draco;
     accessor.has_bytes =
@@ -97,7 +101,7 @@ class PieceEncoder {
   const Model& model_;
   std::size_t mesh_;
   const IndexedMesh& triangles_;
-  const Compression* compression_;
+  Packing packing_;
 };
 
 }  // namespace
@@ -114,17 +118,19 @@ void strip_geometry(Json& document, const Model& model, const Replacements& repl
   }
 }
 
-std::vector<NewAccessor> new_accessors(const Model& model, const Replacements& replacements, bool compress) {
+std::vector<NewAccessor> new_accessors(const Model& model, const Replacements& replacements,
+                                       const std::function<Packing(std::size_t)>& packing) {
   std::vector<NewAccessor> all;
   for (const auto& [mesh, triangles] : replacements) {
-    const Compression compression{compress ? grid_of(triangles) : std::nullopt};
-    const PieceEncoder encoder(model, mesh, triangles, compress ? &compression : nullptr);
-    for (const Piece& piece : pieces_of(model.meshes[mesh], triangles, compress)) encoder.append(piece, all);
+    const Packing of_mesh = packing(mesh);
+    const PieceEncoder encoder(model, mesh, triangles, of_mesh);
+    for (const Piece& piece : pieces_of(model.meshes[mesh], triangles, of_mesh.compresses)) encoder.append(piece, all);
   }
   return all;
 }
 
 Json& place_in(Json& document, const NewAccessor& accessor) {
+  if (accessor.skin) return document["skins"][*accessor.skin]["inverseBindMatrices"];
   Json& primitive = document["meshes"][accessor.mesh]["primitives"][accessor.primitive];
   if (accessor.name.empty()) return primitive["indices"];
   return accessor.target ? primitive["targets"][*accessor.target][accessor.name]

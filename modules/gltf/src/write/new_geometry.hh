@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,15 +21,17 @@ struct NewAccessor {
   std::optional<std::size_t> target;  ///< the morph target that it is of
   std::optional<std::size_t> old;     ///< the accessor that it replaces
   Encoded values;
-  bool has_bytes = true;  ///< false if all are zero, and the replaced accessor had no bytes
+  std::optional<std::size_t> skin{};  ///< of no primitive, but of this skin: these are its inverse bind matrices
+  bool has_bytes = true;              ///< false if all are zero, and the replaced accessor had no bytes
 };
 
 /// Removes the triangles of replaced meshes from a document: accessors of primitives, their compression, and extensions
 /// with data about single vertices. Primitives without triangles left stay, without geometry.
 void strip_geometry(Json& document, const Model& model, const Replacements& replacements);
 
-/// The new accessors of primitives.
-std::vector<NewAccessor> new_accessors(const Model& model, const Replacements& replacements, bool compress);
+/// The new accessors of primitives. \param packing of a mesh, by its number
+std::vector<NewAccessor> new_accessors(const Model& model, const Replacements& replacements,
+                                       const std::function<Packing(std::size_t)>& packing);
 
 /// Where a document names a new accessor.
 Json& place_in(Json& document, const NewAccessor& accessor);

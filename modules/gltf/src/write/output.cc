@@ -1,6 +1,7 @@
 #include "write/output.hh"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "model/extensions.hh"
 #include "write/new_geometry.hh"
 #include "write/pack_buffers.hh"
+#include "write/quantization.hh"
 #include "write/references.hh"
 
 namespace whittle::gltf {
@@ -100,13 +102,14 @@ void align(std::string& bytes, const Encoded& values) {
 }
 
 /// Appends values to the buffer. \return their view
-Json append_view(const Encoded& values, bool compress, PackedBuffers& to) {
+Json append_view(const NewAccessor& accessor, bool compress, PackedBuffers& to) {
+  const Encoded& values = accessor.values;
   align(to.bytes, values);
   const bool are_indices = values.mode == MeshoptMode::triangles;
   Json view = {{"buffer", first_buffer}, {"byteOffset", to.bytes.size()}, {"byteLength", values.bytes.size()}};
   // Elements with something between them need a stride.
   if (!are_indices && values.stride != values.shape.packed_stride(values.type)) view["byteStride"] = values.stride;
-  view["target"] = are_indices ? index_target : vertex_target;
+  if (!accessor.skin) view["target"] = are_indices ? index_target : vertex_target;
   if (!compress) {
     to.bytes += values.bytes;
     return view;
@@ -153,7 +156,7 @@ void place_geometry(Json& document, const Json& old, const Model& model, const s
     std::optional<std::size_t> view;
     if (accessors[i].has_bytes) {
       view = views[n_views++];
-      set_element(document, "bufferViews", *view, append_view(accessors[i].values, compress, buffers));
+      set_element(document, "bufferViews", *view, append_view(accessors[i], compress, buffers));
     }
     const Json* const replaced = accessors[i].old ? &old["accessors"][*accessors[i].old] : nullptr;
     set_element(document, "accessors", numbers[i], accessor_json(accessors[i].values, view, replaced));
@@ -174,7 +177,7 @@ void add_name(Json& document, const char* list, const std::string& name) {
 }
 
 /// Brings the lists of extensions up to date.
-void list_extensions(Json& document, const Json& old, bool compress) {
+void list_extensions(Json& document, const Json& old, const WriteOptions& options) {
   const std::set<std::string> used = extensions_in(document);
   std::set<std::string> gone = extensions_in(old);
   for (const std::string& name : used) gone.erase(name);
@@ -184,17 +187,39 @@ void list_extensions(Json& document, const Json& old, bool compress) {
     remove_name(document, "extensionsUsed", name);
     remove_name(document, "extensionsRequired", name);
   }
-  if (!compress || !used.contains(std::string(meshopt_extension))) return;
+  const bool is_compressed = options.compress && used.contains(std::string(meshopt_extension));
   for (const char* const list : {"extensionsUsed", "extensionsRequired"}) {
-    add_name(document, list, std::string(meshopt_extension));
-    if (is_quantized) add_name(document, list, std::string(quantization_extension));
+    if (is_compressed) add_name(document, list, std::string(meshopt_extension));
+    if (is_quantized && (is_compressed || options.quantize)) {
+      add_name(document, list, std::string(quantization_extension));
+    }
   }
+}
+
+std::vector<NewAccessor> all_new_accessors(const Json& old, const Model& model, const Replacements& replacements,
+                                           const WriteOptions& options, const Quantization& quantization) {
+  const auto packing_of = [&](std::size_t mesh) {
+    Packing packing{options.compress, options.quantize, {}};
+    const auto grid = quantization.of_mesh.find(mesh);
+    if (grid != quantization.of_mesh.end()) {
+      packing.grid = grid->second;
+    } else if (options.compress) {
+      packing.grid = grid_of(replacements.at(mesh));
+    }
+    return packing;
+  };
+  std::vector<NewAccessor> accessors = new_accessors(model, replacements, packing_of);
+  std::vector<NewAccessor> of_skins = quantized_skins(old, model, quantization);
+  accessors.insert(accessors.end(), std::move_iterator(of_skins.begin()), std::move_iterator(of_skins.end()));
+  return accessors;
 }
 
 /// \return the number of bytes that other content has, at the beginning
 std::size_t replace_geometry(Json& document, const Json& old, const Model& model, const Replacements& replacements,
-                             bool compress, PackedBuffers& buffers) {
+                             const WriteOptions& options, PackedBuffers& buffers) {
+  const Quantization quantization = options.quantize ? quantization_of(old, model, replacements) : Quantization{};
   strip_geometry(document, model, replacements);
+  strip_skins(document, quantization);
   const std::vector<bool> freed_accessors = freed(used_accessors(old), used_accessors(document));
   const std::vector<bool> all(freed_accessors.size(), true);
   const std::vector<bool> freed_views = freed(used_views(old, all), used_views(document, inverted(freed_accessors)));
@@ -202,8 +227,9 @@ std::size_t replace_geometry(Json& document, const Json& old, const Model& model
   clear_elements(document, "bufferViews", freed_views);
   buffers = pack_buffers(document, model);
   const std::size_t n_kept_bytes = buffers.bytes.size();
-  place_geometry(document, old, model, new_accessors(model, replacements, compress), freed_accessors, freed_views,
-                 compress, buffers);
+  place_geometry(document, old, model, all_new_accessors(old, model, replacements, options, quantization),
+                 freed_accessors, freed_views, options.compress, buffers);
+  place_grids(document, quantization);
   drop_lost_primitives(document, model, replacements);
   // A byte that any file with geometry has.
   fill_cleared(document, "bufferViews", {{"buffer", first_buffer}, {"byteLength", 1}});
@@ -214,16 +240,17 @@ std::size_t replace_geometry(Json& document, const Json& old, const Model& model
 
 }  // namespace
 
-Output make_output(const Model& model, const Json& document, const Replacements& replacements, bool compress) {
+Output make_output(const Model& model, const Json& document, const Replacements& replacements,
+                   const WriteOptions& options) {
   Output output{document, {}, 0};
   PackedBuffers buffers;
   if (replacements.empty()) {
     buffers = pack_buffers(output.document, model);
   } else {
-    output.n_kept_bytes = replace_geometry(output.document, document, model, replacements, compress, buffers);
+    output.n_kept_bytes = replace_geometry(output.document, document, model, replacements, options, buffers);
   }
   list_buffers(output.document, model, buffers);
-  if (!replacements.empty()) list_extensions(output.document, document, compress);
+  if (!replacements.empty()) list_extensions(output.document, document, options);
   output.buffer = std::move(buffers.bytes);
   return output;
 }

@@ -7,6 +7,7 @@
 #include "document/json.hh"
 #include "model/model.hh"
 #include "whittle/core/indexed_mesh.hh"
+#include "whittle/gltf/write_options.hh"
 
 namespace whittle::gltf {
 
@@ -20,7 +21,8 @@ struct Output {
   std::size_t n_kept_bytes = 0;  ///< at the beginning of the buffer, which don't belong to replaced geometry
 };
 
-/// \param compress whether new geometry is compressed. \pre the replacements were checked, and this build can compress
-Output make_output(const Model& model, const Json& document, const Replacements& replacements, bool compress);
+/// \pre the replacements were checked, and this build can compress if that is asked for
+Output make_output(const Model& model, const Json& document, const Replacements& replacements,
+                   const WriteOptions& options);
 
 }  // namespace whittle::gltf

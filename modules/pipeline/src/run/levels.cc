@@ -117,15 +117,15 @@ class LevelsProof {
  public:
   LevelsProof(const Scene& scene, const SceneOutput& output, const SceneReadOptions& reading)
       : scene_(scene), output_(output), reading_(reading), stretch_(widest_stretch(scene)) {
-    if (output.compress && keeps_meshes(scene, output)) shown_ = shown_scene(scene, reading);
+    if (output.gltf.rounds() && keeps_meshes(scene, output)) shown_ = shown_scene(scene, reading);
   }
 
   bool is_within(const Decimation& level, double distance) const {
-    const IndexedMesh written = output_.compress ? scene_as_written(output_, scene_, level.mesh, reading_)
-                                                 : as_written(output_, scene_, level.mesh, reading_);
+    const IndexedMesh written = output_.gltf.rounds() ? scene_as_written(output_, scene_, level.mesh, reading_)
+                                                      : as_written(output_, scene_, level.mesh, reading_);
     if (written.faces.empty()) return false;
     metrics::CertifyOptions options{.threads = reading_.threads};
-    if (!output_.compress && written.positions.size() == level.mesh.positions.size()) {
+    if (!output_.gltf.rounds() && written.positions.size() == level.mesh.positions.size()) {
       options.vertex_map = level.vertex_map;
     }
     const IndexedMesh& input = shown_ ? *shown_ : scene_.read.mesh;

@@ -85,9 +85,10 @@ double at_least(const metrics::LargestDistances& distances) {
 /// What stands in the way of a limit that not even the scene itself keeps.
 std::string why_not_uncontracted(const Plan& plan, const DistancesAsWritten& distances) {
   if (const double off = at_least(distances.surface); off > *plan.target.error_limit()) {
-    const bool is_compressed = plan.request.output.compress;
+    const SceneOutput& output = plan.request.output;
     return "rounding moves them by " + significant(off) + "; choose a larger --max-error, or " +
-           (is_compressed ? "leave out --compress" : "a format that keeps every digit");
+           (output.gltf.rounds() ? "leave out " + std::string(rounding_options(output.gltf))
+                                 : "a format that keeps every digit");
   }
   const double off = distances.borders ? at_least(*distances.borders) : 0;
   if (off <= *plan.target.border_error_limit()) return "choose a larger --max-error";

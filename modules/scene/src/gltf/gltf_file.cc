@@ -97,7 +97,9 @@ bool shows_meshes(const gltf::Asset& asset) {
 }
 
 gltf::WriteOptions write_options(const SceneOutput& output) {
-  return {.compress = output.compress, .shared_buffer = io::path_of(output.shared_path)};
+  gltf::WriteOptions options = output.gltf;
+  options.shared_buffer = io::path_of(output.shared_path);
+  return options;
 }
 
 }  // namespace
@@ -350,13 +352,14 @@ double GltfFile::widest_stretch() const {
   return widest;
 }
 
-IndexedMesh GltfFile::scene_as_written(const IndexedMesh& mesh, bool compress, const io::ReadOptions& options) const {
+IndexedMesh GltfFile::scene_as_written(const IndexedMesh& mesh, const gltf::WriteOptions& writing,
+                                       const io::ReadOptions& reading) const {
   std::vector<std::string> warnings;
   std::vector<IndexedMesh> meshes = split_for_file(mesh, "", warnings);
   std::map<std::size_t, IndexedMesh> triangles;
   for (std::size_t i = 0; i < parts_.size(); ++i) triangles.emplace(parts_[i].mesh, std::move(meshes[i]));
-  GltfFile written(path_, asset_.as_written(std::move(triangles), {.compress = compress}));
-  return written.read(options, SceneScope::scene).mesh;
+  GltfFile written(path_, asset_.as_written(std::move(triangles), writing));
+  return written.read(reading, SceneScope::scene).mesh;
 }
 
 /// The meshes for a file; vanished meshes become a point. \param level beginning of warnings
@@ -402,7 +405,7 @@ std::vector<std::string> GltfFile::write(io::OutputFiles& files, const SceneOutp
     for (std::size_t i = 0; i < parts_.size(); ++i) asset_.set_triangles(parts_[i].mesh, std::move(meshes[i]));
   }
   write_asset(files, output, asset_);
-  const std::vector<std::string> lost = asset_.warnings();
+  const std::vector<std::string> lost = asset_.warnings(output.gltf);
   warnings.insert(warnings.end(), lost.begin(), lost.end());
   return warnings;
 }

@@ -58,7 +58,8 @@ class GltfFile final : public SceneDocument {
   /// in the file. \pre as `write`
   IndexedMesh as_written(IndexedMesh mesh) const;
   /// The scene as `read` shows it of the file that `write` writes. \pre as `write`
-  IndexedMesh scene_as_written(const IndexedMesh& mesh, bool compress, const io::ReadOptions& options) const;
+  IndexedMesh scene_as_written(const IndexedMesh& mesh, const gltf::WriteOptions& writing,
+                               const io::ReadOptions& reading) const;
 
  private:
   /// A mesh of the file, with triangles.

@@ -62,7 +62,7 @@ IndexedMesh gltf_as_written(const SceneOutput& /*output*/, const Scene& scene, c
 
 IndexedMesh gltf_scene_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
                                   const SceneReadOptions& options) {
-  if (keeps_meshes(scene)) return document_of(scene).scene_as_written(mesh, output.compress, own_options(options));
+  if (keeps_meshes(scene)) return document_of(scene).scene_as_written(mesh, output.gltf, own_options(options));
   GltfFile written(io::path_of(output.path), new_gltf_as_written(output, scene, mesh));
   return written.read(own_options(options), SceneScope::scene).mesh;
 }

@@ -162,7 +162,7 @@ void write_new_gltf(io::OutputFiles& files, const SceneOutput& output, const Sce
 gltf::Asset new_gltf_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh) {
   gltf::NewAsset asset = new_asset_of(scene, mesh, {}, output);
   asset.materials.resize(asset.mesh.group_names.size());
-  return asset_of(std::move(asset), output).as_written({}, {.compress = output.compress});
+  return asset_of(std::move(asset), output).as_written({}, output.gltf);
 }
 
 }  // namespace whittle

@@ -37,7 +37,10 @@ double least_size(const IndexedMesh& mesh, std::span<const Eigen::Affine3d> plac
 
 /// How far compression moves the points of a level and of its mesh apart at most, as a share of the mesh's diagonal:
 /// half a step of `gltf::WriteOptions` each, along each axis.
-double rounding_of(const SceneOutput& output) { return output.compress ? std::numbers::sqrt3 / 65536 : 0; }
+double rounding_of(const SceneOutput& output) {
+  if (output.gltf.quantize) return std::numbers::sqrt3 / 32767;
+  return output.gltf.compress ? std::numbers::sqrt3 / 65536 : 0;
+}
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/material/material.hh"
+#include "whittle/gltf/write_options.hh"
 
 // glTF 2.0 (https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html), as text (.gltf) and binary (.glb). An asset is
 // read, the triangles of some meshes are replaced, and it is written. All else is written as it was read.
@@ -26,17 +27,6 @@ struct MeshLevels {
   /// The least share of the screen's area, [0, 1], at which each level is shown: first of the mesh itself, then of each
   /// coarser level. Descending.
   std::vector<double> screen_coverage{};
-};
-
-struct WriteOptions {
-  /// Whether to compress replaced geometry by EXT_meshopt_compression and KHR_mesh_quantization, which readers of the
-  /// file then require. Positions get a step of at most 1/65536 of the mesh's longest side; normals 8 bits; weights,
-  /// and texture coordinates in [0, 1], 16 bits.
-  bool compress = false;
-  /// A file for what outputs with other geometry of the same meshes have, too: in a .gltf, all bytes but those of
-  /// replaced geometry, and images that are part of the text, in the input or here. It is in the folder of the output,
-  /// which then embeds no buffer. Empty: each output has all bytes.
-  std::filesystem::path shared_buffer{};
 };
 
 /// A .gltf file, and the file with its buffer.
@@ -128,8 +118,9 @@ class Asset {
   /// "cameras" and "lights".
   std::vector<std::string> other_content() const;
 
-  /// Content that isn't kept, a line each: extensions of meshes with data about single vertices.
-  std::vector<std::string> warnings() const;
+  /// Content that isn't kept, a line each: extensions of meshes with data about single vertices. And positions that
+  /// `WriteOptions::quantize` doesn't make integers.
+  std::vector<std::string> warnings(const WriteOptions& options = {}) const;
 
   /// Image files that the asset names, each once, relative to its folder.
   std::vector<std::filesystem::path> image_files() const;

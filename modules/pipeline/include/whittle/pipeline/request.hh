@@ -48,8 +48,8 @@ struct Request {
   /// Whether the largest distance is to be proven.
   bool proves() const { return targets.max_error || certify || makes_certificate; }
   /// Whether proofs are about the file's own vertices and faces, of a document those of the scene as it is shown: with
-  /// a certificate, and where compression rounds them.
-  bool proves_file() const { return makes_certificate || (output.compress && proves()); }
+  /// a certificate, and where glTF's `WriteOptions` round them.
+  bool proves_file() const { return makes_certificate || (output.gltf.rounds() && proves()); }
   bool has_threshold() const { return threshold.is_automatic || threshold.length.value > 0; }
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
+#include "whittle/gltf/write_options.hh"
 #include "whittle/io/format.hh"
 #include "whittle/io/output_files.hh"
 #include "whittle/io/read.hh"
@@ -39,8 +40,8 @@ struct SceneReadOptions {
 struct SceneOutput {
   std::string path;  ///< or `standard_stream`
   const SceneFormat* format = nullptr;
-  bool ascii = false;     ///< text instead of binary, in formats that have both
-  bool compress = false;  ///< see `gltf::WriteOptions`; in formats that `is_document`
+  bool ascii = false;         ///< text instead of binary, in formats that have both
+  gltf::WriteOptions gltf{};  ///< in formats that `is_document`
   /// A file for what several outputs of a scene have in common, in documents of text (`gltf::WriteOptions`). Empty:
   /// each has all of it.
   std::string shared_path{};

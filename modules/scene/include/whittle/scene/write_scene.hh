@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/io/output_files.hh"
 #include "whittle/scene/format.hh"
@@ -13,6 +16,9 @@ std::string name_of(const SceneOutput& output);
 /// Whether a scene's document, with its meshes, is what is written.
 bool keeps_meshes(const Scene& scene, const SceneOutput& output);
 
+/// The options of the program that make an output round positions: "--compress". \pre `rounds()`
+std::string_view rounding_options(const gltf::WriteOptions& options);
+
 /// Writes a scene with all content that the output's format supports, and the files that it needs. Of a document only
 /// the meshes change.
 /// \param mesh the scene's mesh, simplified or unchanged
@@ -25,12 +31,12 @@ void write_scene(io::OutputFiles& files, const SceneOutput& output, Scene& scene
 void write_levels(io::OutputFiles& files, const SceneOutput& output, Scene& scene, CoarserLevels levels,
                   SceneMessages& messages);
 
-/// The mesh after `write_scene` without compression, and reading. A vertex that the file has several times has one
+/// The mesh after `write_scene` without `gltf` options, and reading. A vertex that the file has several times has one
 /// position. \param options of reading
 IndexedMesh as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
                        const SceneReadOptions& options);
-/// What `write_scene` writes, as `SceneScope::scene` reads it: the file's vertices and faces, also those of compressed
-/// ones. \param options of reading; the scope doesn't count
+/// What `write_scene` writes, as `SceneScope::scene` reads it: the file's vertices and faces, also of rounded ones.
+/// \param options of reading; the scope doesn't count
 IndexedMesh scene_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
                              const SceneReadOptions& options);
 /// Largest distance between the positions of such a vertex in the file.
