@@ -49,8 +49,8 @@ bool writes_document(const std::string& path, const FileOptions& options) {
 
 void check_rounding(const std::string& path, const FileOptions& options, const gltf::WriteOptions& gltf) {
   if (!gltf.rounds() || writes_document(path, options)) return;
-  throw UsageError(std::string(rounding_options(gltf)) + (gltf.compress && gltf.quantize ? " are" : " is") +
-                   " for outputs in glTF");
+  const std::string names = rounding_options(gltf);
+  throw UsageError(names + (names.find(' ') == std::string::npos ? " is" : " are") + " for outputs in glTF");
 }
 
 SceneScope scope_for(const std::string& path, const FileOptions& options, bool keeps_attributes) {

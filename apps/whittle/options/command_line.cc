@@ -152,7 +152,11 @@ OptionRows gltf_rows(gltf::WriteOptions& options) {
           {.names = "--quantize",
            .access = flag(options.quantize),
            .help = "write the geometry of a glTF file as integers of 8 and 16 bits: KHR_mesh_quantization",
-           .key = "quantize"}};
+           .key = "quantize"},
+          {.names = "--merge-meshes",
+           .access = flag(options.merge),
+           .help = "make one primitive of those with one material, also of meshes that stand still in a glTF scene",
+           .key = "merge_meshes"}};
 }
 
 OptionRow side_file_row(const std::string& name, std::optional<std::string>& path, const std::string& what) {

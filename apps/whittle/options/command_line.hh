@@ -52,7 +52,7 @@ OptionRow weld_row(FileOptions& options);
 OptionRows input_rows(FileOptions& options);
 /// The rows for reading, --output-format and --ascii.
 OptionRows file_rows(FileOptions& options);
-/// --compress and --quantize.
+/// --compress, --quantize and --merge-meshes.
 OptionRows gltf_rows(gltf::WriteOptions& options);
 
 /// A file to write besides the result: off, or its name. \param what "write …"

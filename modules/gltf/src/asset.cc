@@ -25,6 +25,7 @@
 #include "whittle/io/output_file.hh"
 #include "whittle/io/whole_file.hh"
 #include "write/level_nodes.hh"
+#include "write/merge.hh"
 #include "write/output.hh"
 #include "write/quantization.hh"
 #include "write/references.hh"
@@ -35,7 +36,7 @@ namespace whittle::gltf {
 Output Asset::Content::output(const Replacements& replaced, const WriteOptions& options) const {
   const bool compress = options.compress && !replaced.empty();
   if (compress && !has_meshopt()) throw std::invalid_argument("this build can't compress: it has no meshoptimizer");
-  return make_output(model, document, replaced, options);
+  return make_output(model, document, options.merge ? merged(document, model, replaced) : replaced, options);
 }
 
 namespace {
@@ -297,7 +298,9 @@ std::vector<std::string> Asset::warnings(const WriteOptions& options) const {
     }
   }
   if (!options.quantize) return warnings;
-  const Quantization quantization = quantization_of(content_->document, content_->model, content_->replacements);
+  const auto& [bytes, source, folder, document, model, rest, replacements] = *content_;
+  const Quantization quantization =
+      quantization_of(document, model, options.merge ? merged(document, model, replacements) : replacements);
   for (const auto& [mesh, why] : quantization.kept) {
     warnings.push_back(mesh_name(mesh) + ": its positions stay real numbers, as " + why);
   }

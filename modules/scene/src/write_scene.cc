@@ -1,5 +1,7 @@
 #include "whittle/scene/write_scene.hh"
 
+#include <utility>
+
 #include "whittle/scene/scene_document.hh"
 
 namespace whittle {
@@ -12,9 +14,14 @@ bool keeps_meshes(const Scene& scene, const SceneOutput& output) {
   return keeps_meshes(scene) && output.format->is_document;
 }
 
-std::string_view rounding_options(const gltf::WriteOptions& options) {
-  if (options.compress && options.quantize) return "--compress and --quantize";
-  return options.quantize ? "--quantize" : "--compress";
+std::string rounding_options(const gltf::WriteOptions& options) {
+  std::string names;
+  for (const auto& [is_given, name] : {std::pair(options.compress, "--compress"),
+                                       {options.quantize, "--quantize"},
+                                       {options.merge, "--merge-meshes"}}) {
+    if (is_given) names += (names.empty() ? "" : " and ") + std::string(name);
+  }
+  return names;
 }
 
 void write_scene(io::OutputFiles& files, const SceneOutput& output, Scene& scene, const IndexedMesh& mesh,

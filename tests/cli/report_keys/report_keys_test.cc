@@ -249,7 +249,7 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
       {blob, "-o", out, "--faces", "500", "--attributes", "position-only", "--seams", "keep", "--regions", "none",
        "--categories", "none"},
       {cube, "-o", folder / "weighed.glb", "--faces", "100", "--attribute-weight", "uv=1"},
-      {cube, "-o", folder / "small.glb", "--faces", "100", "--compress", "--quantize", "--per-mesh"},
+      {cube, "-o", folder / "small.glb", "--faces", "100", "--compress", "--quantize", "--merge-meshes", "--per-mesh"},
       {blob, cubes, "--join", "-o", out, "--faces", "500"},
       {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply", "--ascii",
        "--faces", "200"}};
@@ -297,12 +297,13 @@ TEST(ReportKeys, OfPolishAreDocumented) {
   const std::string out = folder / "out";
   const std::string blob = data_file("blob.obj");
   expect_documented(
-      "polish", {{blob, blob, "--output", out, "--format", "obj", "--verbose", "--no-weld", "--fit", "mean"},
-                 {blob, blob, "-o", out, "--format", "obj", "--passes", "0", "--quiet", "--color", "never", "--force",
-                  "--threads", "1"},
-                 {blob, blob, "-o", out, "--input-format", "obj", "--output-format", "ply", "--ascii", "--passes", "0",
-                  "--weld", "0"},
-                 {blob, blob, "-o", folder / "out.glb", "--passes", "0", "--compress", "--quantize"}});
+      "polish",
+      {{blob, blob, "--output", out, "--format", "obj", "--verbose", "--no-weld", "--fit", "mean"},
+       {blob, blob, "-o", out, "--format", "obj", "--passes", "0", "--quiet", "--color", "never", "--force",
+        "--threads", "1"},
+       {blob, blob, "-o", out, "--input-format", "obj", "--output-format", "ply", "--ascii", "--passes", "0", "--weld",
+        "0"},
+       {blob, blob, "-o", folder / "out.glb", "--passes", "0", "--compress", "--quantize", "--merge-meshes"}});
 }
 
 TEST(ReportKeys, OfCompareAreDocumented) {
@@ -324,10 +325,11 @@ TEST(ReportKeys, OfConvertAreDocumented) {
   const TemporaryFolder folder;
   const std::string bare = folder / "bare";
   std::filesystem::copy_file(data_file("cubes.obj"), bare);
-  expect_documented("convert", {{bare, folder / "out", "--format", "obj", "--quiet", "--no-weld", "--force"},
-                                {bare, folder / "out.ply", "--input-format", "obj", "--output-format", "ply", "--ascii",
-                                 "--weld", "auto", "--verbose", "--threads", "1", "--color", "never"},
-                                {bare, folder / "out.glb", "--input-format", "obj", "--compress", "--quantize"}});
+  expect_documented(
+      "convert", {{bare, folder / "out", "--format", "obj", "--quiet", "--no-weld", "--force"},
+                  {bare, folder / "out.ply", "--input-format", "obj", "--output-format", "ply", "--ascii", "--weld",
+                   "auto", "--verbose", "--threads", "1", "--color", "never"},
+                  {bare, folder / "out.glb", "--input-format", "obj", "--compress", "--quantize", "--merge-meshes"}});
 }
 
 /// Writes recordings of the terrain: one with its mesh, and one without.
@@ -389,7 +391,7 @@ TEST(ReportKeys, OfReplayAreDocumented) {
       "replay", {{rec, "-o", out, "--format", "ply", "--faces", "600", "--verbose", "--ascii"},
                  {rec, "-o", out, "--output-format", "obj", "--vertices", "600", "--quiet", "--threads", "1"},
                  {bare, "--output", out, "--format", "ply", "--input", terrain, "--cost", "1e-9", "--no-weld"},
-                 {rec, "-o", folder / "out.glb", "--at", "1", "--compress", "--quantize"},
+                 {rec, "-o", folder / "out.glb", "--at", "1", "--compress", "--quantize", "--merge-meshes"},
                  {bare, "-o", out, "--output-format", "ply", "--input", terrain, "--input-format", "ply", "--at", "0.5",
                   "--weld", "0", "--force", "--color", "never"},
                  {rec, "-o", folder / "out{i}.ply", "--steps", "0:1:3"}});
@@ -405,7 +407,7 @@ TEST(ReportKeys, OfLodAreDocumented) {
               {terrain, "--output", out, "--format", "ply", "--face-ratios", "10%", "--no-weld", "--fit", "max"},
               {terrain, "-o", out, "--output-format", "ply", "--input-format", "ply", "--errors", "1%", "--weld", "0",
                "--force", "--color", "never"},
-              {terrain, "-o", folder / "out.glb", "--faces", "600,300", "--compress", "--quantize"},
+              {terrain, "-o", folder / "out.glb", "--faces", "600,300", "--compress", "--quantize", "--merge-meshes"},
               {terrain, "-o", folder / "out.glb", "--distances", "500%", "--target-pixels", "2", "--view-height", "720",
                "--fov", "50"}});
 }

@@ -91,7 +91,7 @@ TEST_F(GltfCertificate, IsAboutEachPlaceOfAMesh) {
   write_three_knots(in_);
   const double limit = 0.05;
   for (const Arguments& more :
-       {Arguments{}, {"--compress"}, {"--quantize"}, {"--topology", "free", "--boundary", "free"}}) {
+       {Arguments{}, {"--compress"}, {"--quantize", "--merge-meshes"}, {"--topology", "free", "--boundary", "free"}}) {
     SCOPED_TRACE(testing::PrintToString(more));
     Arguments options{"--max-error", std::to_string(limit)};
     options.insert(options.end(), more.begin(), more.end());

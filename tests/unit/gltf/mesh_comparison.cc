@@ -1,11 +1,25 @@
 #include "mesh_comparison.hh"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <ranges>
+#include <utility>
+
+#include "whittle/core/geometry/box.hh"
+#include "whittle/gltf/pose.hh"
 
 namespace whittle::gltf::test {
 namespace {
+
+/// Moments of animations that are compared.
+constexpr std::size_t n_moments = 2;
+/// A step is 3e-5 of a side.
+constexpr double tolerance = 1e-4;
+/// With weights of 8 bits.
+constexpr double skinned_tolerance = 1e-3;
 
 std::vector<Vec3> in_order(std::vector<Vec3> positions) {
   std::ranges::sort(positions, [](const Vec3& p, const Vec3& q) { return std::ranges::lexicographical_compare(p, q); });
@@ -55,6 +69,40 @@ std::vector<double> corners_along(int axis, const IndexedMesh& mesh) {
   }
   std::ranges::sort(values);
   return values;
+}
+
+Asset replaced(Asset asset) {
+  for (std::size_t m = 0; m < asset.n_meshes(); ++m) {
+    if (asset.n_triangles(m) > 0) asset.set_triangles(m, asset.triangles(m));
+  }
+  return asset;
+}
+
+Json document_of(const Asset& asset) { return Json::parse(asset.document()); }
+
+double relative_distance(const IndexedMesh& a, const IndexedMesh& b) {
+  double farthest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<double> of_a = corners_along(axis, a);
+    const std::vector<double> of_b = corners_along(axis, b);
+    EXPECT_EQ(of_a.size(), of_b.size());
+    for (std::size_t i = 0; i < std::min(of_a.size(), of_b.size()); ++i) {
+      farthest = std::max(farthest, std::abs(of_a[i] - of_b[i]));
+    }
+  }
+  const double diagonal = diagonal_of(a.positions);
+  return diagonal > 0 ? farthest / diagonal : farthest;
+}
+
+void expect_same_poses(const Asset& a, const Asset& b) {
+  const Poser of_a(a);
+  const Poser of_b(b);
+  const double limit = of_a.has_skins() ? skinned_tolerance : tolerance;
+  EXPECT_LE(relative_distance(of_a.mesh(of_a.rest()), of_b.mesh(of_b.rest())), limit);
+  if (!of_a.is_animated()) return;
+  for (const AnimationTime& moment : of_a.moments(n_moments)) {
+    EXPECT_LE(relative_distance(of_a.mesh(of_a.animated(moment)), of_b.mesh(of_b.animated(moment))), limit);
+  }
 }
 
 }  // namespace whittle::gltf::test

@@ -2,7 +2,9 @@
 
 #include <vector>
 
+#include "document/json.hh"
 #include "whittle/core/indexed_mesh.hh"
+#include "whittle/gltf/asset.hh"
 
 // Sums and comparisons over all vertices of large assets.
 
@@ -23,5 +25,17 @@ std::vector<double> mean_value(const IndexedMesh& mesh, const Attribute& attribu
 
 /// The coordinates of all corners along an axis, ascending.
 std::vector<double> corners_along(int axis, const IndexedMesh& mesh);
+
+/// The asset with its own triangles as new ones, so that they are written anew.
+Asset replaced(Asset asset);
+
+/// As it was read.
+Json document_of(const Asset& asset);
+
+/// Largest difference of the corners, sorted along an axis, as a share of the diagonal: scenes have them in any order.
+double relative_distance(const IndexedMesh& a, const IndexedMesh& b);
+
+/// Compares both scenes at rest and while they move.
+void expect_same_poses(const Asset& a, const Asset& b);
 
 }  // namespace whittle::gltf::test

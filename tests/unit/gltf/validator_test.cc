@@ -60,13 +60,15 @@ TEST(GltfValidator, FindsNoNewErrorInCompressedFiles) {
   EXPECT_TRUE(pairs.have_no_new_errors());
 }
 
-TEST(GltfValidator, FindsNoNewErrorInQuantizedFiles) {
+TEST(GltfValidator, FindsNoNewErrorInQuantizedAndMergedFiles) {
   WHITTLE_NEEDS_CODECS();
   WHITTLE_NEEDS_ASSETS(asset_files({"gltf-tiny"}));
   if (!has_validator()) GTEST_SKIP() << "there is no Node.js, or no gltf-validator in " WHITTLE_NODE_MODULES;
   Pairs pairs;
   write_pairs(pairs, {"gltf-realistic", "gltf-tiny"}, {.quantize = true}, ".glb");
   write_pairs(pairs, {"gltf-tiny"}, {.compress = true, .quantize = true}, ".glb");
+  write_pairs(pairs, {"gltf-realistic", "gltf-tiny"}, {.merge = true}, ".glb");
+  write_pairs(pairs, {"gltf-tiny"}, {.quantize = true, .merge = true}, ".glb");
   EXPECT_TRUE(pairs.have_no_new_errors());
 }
 

@@ -140,7 +140,7 @@ Request request_of(const SimplifyCommand& run) {
 
 /// \throw UsageError for options that don't go with a proof about a scene as it is shown
 void check_proof_of_scene(const SimplifyCommand& options) {
-  const std::string rounded = "the proof of what " + std::string(rounding_options(options.gltf)) + " writes";
+  const std::string rounded = "the proof of what " + rounding_options(options.gltf) + " writes";
   const std::string proof = options.certificate ? "--certificate" : rounded;
   if (options.request.prune) throw UsageError("'--prune': " + proof + " is about all of IN");
   if (options.request.tolerance_map) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "document/json.hh"
+#include "encode/encode.hh"
 #include "model/model.hh"
-#include "write/encode.hh"
 #include "write/output.hh"
 
 namespace whittle::gltf {

@@ -9,6 +9,7 @@
 
 #include "codec/meshopt.hh"
 #include "model/extensions.hh"
+#include "write/merge.hh"
 #include "write/new_geometry.hh"
 #include "write/pack_buffers.hh"
 #include "write/quantization.hh"
@@ -231,6 +232,7 @@ std::size_t replace_geometry(Json& document, const Json& old, const Model& model
                  freed_accessors, freed_views, options.compress, buffers);
   place_grids(document, quantization);
   drop_lost_primitives(document, model, replacements);
+  drop_empty_meshes(document, replacements);
   // A byte that any file with geometry has.
   fill_cleared(document, "bufferViews", {{"buffer", first_buffer}, {"byteLength", 1}});
   fill_cleared(document, "accessors",

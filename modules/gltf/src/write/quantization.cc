@@ -141,6 +141,11 @@ std::string why_group_kept(const std::set<std::size_t>& group, const Replacement
   return {};
 }
 
+bool has_faces(const Replacements& replacements, std::size_t mesh) {
+  const auto found = replacements.find(mesh);
+  return found != replacements.end() && !found->second.faces.empty();
+}
+
 std::optional<Grid> grid_of_group(const std::set<std::size_t>& group, const Replacements& replacements) {
   std::vector<const IndexedMesh*> meshes;
   meshes.reserve(group.size());
@@ -185,7 +190,7 @@ Quantization quantization_of(const Json& document, const Model& model, const Rep
     if (why.empty() && !grid) why = "it has no size, or is too far from the origin";
     for (const std::size_t mesh : group) {
       if (grid) quantization.of_mesh[mesh] = *grid;
-      if (!grid && replacements.contains(mesh)) quantization.kept[mesh] = why;
+      if (!grid && has_faces(replacements, mesh)) quantization.kept[mesh] = why;
     }
   }
   for (const auto& [skin, meshes] : meshes_of_skins(document, model)) {

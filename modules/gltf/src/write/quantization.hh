@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "document/json.hh"
+#include "encode/encode.hh"
 #include "model/model.hh"
 #include "whittle/core/indexed_mesh.hh"
-#include "write/encode.hh"
 #include "write/new_geometry.hh"
 
 // Positions as integers (KHR_mesh_quantization): multiples of a step, counted from an origin. Step and origin stand in

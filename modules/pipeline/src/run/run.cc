@@ -87,8 +87,7 @@ std::string why_not_uncontracted(const Plan& plan, const DistancesAsWritten& dis
   if (const double off = at_least(distances.surface); off > *plan.target.error_limit()) {
     const SceneOutput& output = plan.request.output;
     return "rounding moves them by " + significant(off) + "; choose a larger --max-error, or " +
-           (output.gltf.rounds() ? "leave out " + std::string(rounding_options(output.gltf))
-                                 : "a format that keeps every digit");
+           (output.gltf.rounds() ? "leave out " + rounding_options(output.gltf) : "a format that keeps every digit");
   }
   const double off = distances.borders ? at_least(*distances.borders) : 0;
   if (off <= *plan.target.border_error_limit()) return "choose a larger --max-error";

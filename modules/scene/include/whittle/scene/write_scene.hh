@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/io/output_files.hh"
@@ -16,8 +15,8 @@ std::string name_of(const SceneOutput& output);
 /// Whether a scene's document, with its meshes, is what is written.
 bool keeps_meshes(const Scene& scene, const SceneOutput& output);
 
-/// The options of the program that make an output round positions: "--compress". \pre `rounds()`
-std::string_view rounding_options(const gltf::WriteOptions& options);
+/// The options of the program that make an output round positions: "--compress and --quantize". \pre `rounds()`
+std::string rounding_options(const gltf::WriteOptions& options);
 
 /// Writes a scene with all content that the output's format supports, and the files that it needs. Of a document only
 /// the meshes change.

@@ -1,69 +1,21 @@
-// Quantized output: integers in the place of real numbers, and the same scene in each pose.
+// Output for engines: integers in the place of real numbers, fewer primitives, and the same scene in each pose.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <string>
-#include <vector>
 
 #include "assets.hh"
 #include "mesh_comparison.hh"
 #include "scene_builder.hh"
-#include "whittle/core/geometry/box.hh"
 #include "whittle/gltf/asset.hh"
-#include "whittle/gltf/pose.hh"
 
 namespace whittle::gltf::test {
 namespace {
 
 using testing::ElementsAre;
 
-/// Moments of animations that are compared.
-constexpr std::size_t n_moments = 2;
-/// A step is 3e-5 of a side.
-constexpr double tolerance = 1e-4;
-/// With weights of 8 bits.
-constexpr double skinned_tolerance = 1e-3;
-
-/// The asset with its own triangles as new ones, so that they are written anew.
-Asset replaced(Asset asset) {
-  for (std::size_t m = 0; m < asset.n_meshes(); ++m) {
-    if (asset.n_triangles(m) > 0) asset.set_triangles(m, asset.triangles(m));
-  }
-  return asset;
-}
-
 Asset quantized(const Asset& asset) { return Asset::read(asset.write_glb({.quantize = true}), "quantized.glb"); }
-
-Json document_of(const Asset& asset) { return Json::parse(asset.document()); }
-
-/// Largest difference of the corners, sorted along an axis, as a share of the diagonal: scenes have them in any order.
-double relative_distance(const IndexedMesh& a, const IndexedMesh& b) {
-  double farthest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<double> of_a = corners_along(axis, a);
-    const std::vector<double> of_b = corners_along(axis, b);
-    EXPECT_EQ(of_a.size(), of_b.size());
-    for (std::size_t i = 0; i < std::min(of_a.size(), of_b.size()); ++i) {
-      farthest = std::max(farthest, std::abs(of_a[i] - of_b[i]));
-    }
-  }
-  const double diagonal = diagonal_of(a.positions);
-  return diagonal > 0 ? farthest / diagonal : farthest;
-}
-
-/// Compares both scenes at rest and while they move.
-void expect_same_poses(const Asset& a, const Asset& b) {
-  const Poser of_a(a);
-  const Poser of_b(b);
-  const double limit = of_a.has_skins() ? skinned_tolerance : tolerance;
-  EXPECT_LE(relative_distance(of_a.mesh(of_a.rest()), of_b.mesh(of_b.rest())), limit);
-  if (!of_a.is_animated()) return;
-  for (const AnimationTime& moment : of_a.moments(n_moments)) {
-    EXPECT_LE(relative_distance(of_a.mesh(of_a.animated(moment)), of_b.mesh(of_b.animated(moment))), limit);
-  }
-}
 
 TEST(GltfQuantize, KeepsEachPose) {
   WHITTLE_NEEDS_CODECS();
@@ -154,6 +106,95 @@ TEST(GltfQuantize, TakesLessSpace) {
   const double share = 0.7;  // half of its bytes are faces
   EXPECT_LT(static_cast<double>(asset.write_glb({.quantize = true}).size()),
             share * static_cast<double>(asset.write_glb().size()));
+}
+
+Asset merged(const Asset& asset) { return Asset::read(asset.write_glb({.merge = true}), "merged.glb"); }
+
+std::size_t n_primitives(const Asset& asset) {
+  std::size_t n = 0;
+  const Json document = document_of(asset);
+  for (const Json& mesh : document["meshes"]) n += mesh["primitives"].size();
+  return n;
+}
+
+/// Three triangles with normals, each a mesh in a node of its own; the second node is mirrored. Two materials.
+SceneBuilder three_triangles() {
+  SceneBuilder scene;
+  const std::size_t positions = scene.floats("VEC3", {0, 0, 0, 1, 0, 0, 0, 2, 0});
+  const std::size_t normals = scene.floats("VEC3", {0, 0, 1, 0, 0, 1, 0, 0, 1});
+  for (int m = 0; m < 3; ++m) {
+    scene.json["meshes"].push_back(
+        {{"primitives",
+          {{{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}}, {"material", m == 2 ? 1 : 0}}}}});
+  }
+  scene.json["materials"] = {{{"name", "a"}}, {{"name", "b"}}};
+  scene.json["nodes"] = {{{"mesh", 0}, {"translation", {5, 0, 0}}},
+                         {{"mesh", 1}, {"scale", {-1, 1, 3}}, {"name", "mirror"}},
+                         {{"mesh", 2}}};
+  return scene;
+}
+
+TEST(GltfMerge, KeepsEachScene) {
+  WHITTLE_NEEDS_CODECS();
+  const auto files = asset_files({"gltf-realistic", "gltf-tiny"});
+  WHITTLE_NEEDS_ASSETS(files);
+  for (const auto& file : files) {
+    SCOPED_TRACE(asset_name(file));
+    const Asset asset = replaced(Asset::read(file));
+    const Asset again = merged(asset);
+    EXPECT_LE(n_primitives(again), n_primitives(asset));
+    expect_same_poses(Asset::read(asset.write_glb(), "plain.glb"), again);
+  }
+}
+
+TEST(GltfMerge, GivesOneMeshTheTrianglesOfAnother) {
+  const Asset asset = replaced(three_triangles().asset());
+  const Asset again = merged(asset);
+  expect_same_poses(asset, again);
+  ASSERT_EQ(again.n_meshes(), 2U);
+  EXPECT_EQ(n_primitives(again), 2U);
+  EXPECT_EQ(again.n_triangles(0), 2U);
+  const Json nodes = document_of(again)["nodes"];
+  EXPECT_EQ(nodes[0]["mesh"], 0);
+  EXPECT_FALSE(nodes[1].contains("mesh"));
+  EXPECT_EQ(nodes[1]["name"], "mirror");
+  EXPECT_EQ(nodes[2]["mesh"], 1);
+  const IndexedMesh triangles = again.triangles(0);
+  const Triangle& mirrored = triangles.faces[1];
+  const Vec3 u = triangles.positions[mirrored[1]] - triangles.positions[mirrored[0]];
+  const Vec3 v = triangles.positions[mirrored[2]] - triangles.positions[mirrored[0]];
+  EXPECT_GT(u.cross(v).z(), 0) << "it is turned over";
+  EXPECT_EQ(triangles.normals[mirrored[0]][2], 1);
+}
+
+TEST(GltfMerge, LeavesMeshesWhereAPictureCouldChange) {
+  const auto count = [](SceneBuilder& scene) { return merged(replaced(scene.asset())).n_meshes(); };
+  SceneBuilder moved = three_triangles();
+  moved.animate(1, "translation", {0, 1}, moved.floats("VEC3", {0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(count(moved), 3U);
+  SceneBuilder blended = three_triangles();
+  blended.json["materials"][0]["alphaMode"] = "BLEND";
+  EXPECT_EQ(count(blended), 3U);
+  SceneBuilder tagged = three_triangles();
+  tagged.json["meshes"][1]["extras"]["tag"] = 1;
+  EXPECT_EQ(count(tagged), 3U);
+  SceneBuilder repeated = three_triangles();
+  repeated.json["nodes"].push_back({{"mesh", 1}});
+  EXPECT_EQ(count(repeated), 3U);
+  SceneBuilder skinned = bar();
+  skinned.json["meshes"].push_back(skinned.json["meshes"][0]);
+  skinned.json["nodes"].push_back({{"mesh", 1}, {"skin", 0}});
+  EXPECT_EQ(count(skinned), 2U);
+}
+
+TEST(GltfMerge, MergesPrimitivesOfOneMesh) {
+  SceneBuilder scene = morphing_triangle();
+  Json& primitives = scene.json["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  const Asset asset = replaced(scene.asset());
+  EXPECT_EQ(n_primitives(merged(asset)), 1U);
+  expect_same_poses(asset, merged(asset));
+  expect_same_poses(asset, Asset::read(asset.write_glb({.quantize = true, .merge = true}), "small.glb"));
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "codec/meshopt.hh"
+#include "encode/grid.hh"
 #include "geometry/surface.hh"
 #include "model/model.hh"
 #include "whittle/core/indexed_mesh.hh"
-#include "write/grid.hh"
 
 namespace whittle::gltf {
 

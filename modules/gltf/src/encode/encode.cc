@@ -1,4 +1,4 @@
-#include "write/encode.hh"
+#include "encode/encode.hh"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "write/grid.hh"
+#include "encode/grid.hh"
 
 #include <algorithm>
 #include <cmath>
