@@ -110,9 +110,10 @@ std::string lost_by_scope(const Scene& scene, const IndexedMesh& mesh, const Sce
 }
 
 /// \return warnings
-std::vector<std::string> write(Mesh& mesh, const std::string& path, bool ascii, bool compress, bool quantize) {
+std::vector<std::string> write(Mesh& mesh, const std::string& path, bool ascii, bool compress, bool quantize,
+                               bool merge_meshes) {
   const nb::gil_scoped_release without_interpreter;
-  SceneOutput output{path, format_by_name(path), ascii, {compress, quantize}};
+  SceneOutput output{path, format_by_name(path), ascii, {compress, quantize, merge_meshes}};
   if (output.format == nullptr) output.format = &format_of(io::format_of(path));  // which says what is wrong
   SceneMessages messages;
   io::OutputFiles files;
@@ -200,7 +201,8 @@ void bind_mesh(nb::module_& module) {
       .def_static("from_arrays", &from_arrays, nb::arg("points"), nb::arg("faces"), nb::arg("arrays"),
                   nb::arg("face_arrays"), nb::arg("tolerances").none(), nb::arg("weld"), nb::arg("threads"))
       .def_static("read", &read, nb::arg("path"), nb::arg("weld"), nb::arg("as_shown"), nb::arg("threads"))
-      .def("write", &write, nb::arg("path"), nb::arg("ascii"), nb::arg("compress"), nb::arg("quantize"))
+      .def("write", &write, nb::arg("path"), nb::arg("ascii"), nb::arg("compress"), nb::arg("quantize"),
+           nb::arg("merge_meshes"))
       .def_prop_ro("points", &points)
       .def_prop_ro("faces", &faces)
       .def_prop_ro("wedges", &wedges)

@@ -247,15 +247,21 @@ def read(
 
 
 def write(
-    path: str | os.PathLike[str], mesh: Mesh, *, ascii: bool = False, compress: bool = False, quantize: bool = False
+    path: str | os.PathLike[str],
+    mesh: Mesh,
+    *,
+    ascii: bool = False,
+    compress: bool = False,
+    quantize: bool = False,
+    merge_meshes: bool = False,
 ) -> None:
     """Writes a mesh, or the result of `simplify`, in the format that the extension of the path tells.
 
-    `compress` and `quantize` are for glTF, as the program's `--compress` and `--quantize`.
+    `compress`, `quantize` and `merge_meshes` are for glTF, as the program's options of these names.
 
     Raises
     ------
     whittle.WriteError
         The file can't be written.
     """
-    warn(mesh._core.write(os.fspath(path), ascii, compress, quantize))
+    warn(mesh._core.write(os.fspath(path), ascii, compress, quantize, merge_meshes))
