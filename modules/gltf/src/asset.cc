@@ -298,9 +298,10 @@ std::vector<std::string> Asset::warnings(const WriteOptions& options) const {
     }
   }
   if (!options.quantize) return warnings;
-  const auto& [bytes, source, folder, document, model, rest, replacements] = *content_;
-  const Quantization quantization =
-      quantization_of(document, model, options.merge ? merged(document, model, replacements) : replacements);
+  const Content& content = *content_;
+  const Quantization quantization = quantization_of(
+      content.document, content.model,
+      options.merge ? merged(content.document, content.model, content.replacements) : content.replacements);
   for (const auto& [mesh, why] : quantization.kept) {
     warnings.push_back(mesh_name(mesh) + ": its positions stay real numbers, as " + why);
   }

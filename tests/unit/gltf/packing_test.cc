@@ -89,6 +89,16 @@ TEST(GltfQuantize, LeavesPositionsWhereNoNodeCanScaleThem) {
   EXPECT_EQ(relative_distance(asset.triangles(0), again.triangles(0)), 0);
 }
 
+TEST(GltfQuantize, LeavesPositionsThatPointersMayBlend) {
+  SceneBuilder scene = morphing_triangle();
+  const std::size_t weights = scene.floats("SCALAR", {0, 0, 1, 1});
+  scene.animate(0, "weights", {0, 1}, weights);
+  EXPECT_EQ(document_of(quantized(replaced(scene.asset())))["nodes"].size(), 2U);
+  Json& target = scene.json["animations"][0]["channels"][0]["target"];
+  target = {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", "/nodes/0/weights"}}}}}};
+  EXPECT_EQ(document_of(quantized(replaced(scene.asset())))["nodes"].size(), 1U);
+}
+
 TEST(GltfQuantize, KeepsLevelsOfDetail) {
   Asset asset = replaced(morphing_triangle().asset());
   asset.add_levels({{0, {asset.triangles(0)}, {0.5, 0}}});

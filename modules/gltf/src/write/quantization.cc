@@ -82,6 +82,15 @@ std::string why_node_forbids(const Model& model, const Json& document, std::size
   return {};
 }
 
+/// Whether something besides animations and nodes may blend the morph targets of a mesh, by the number of its node.
+bool has_foreign_weights(const Json& document, const Mesh& mesh) {
+  const bool has_targets = std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
+                                       [](const Primitive& primitive) { return !primitive.targets.empty(); });
+  if (!has_targets) return false;
+  const std::set<std::string> names = extensions_in(document);
+  return names.contains("KHR_animation_pointer") || names.contains("VRMC_vrm");
+}
+
 /// Why the positions of a mesh can't become integers; empty if they can.
 std::string why_kept(const Json& document, const Model& model, std::size_t mesh, const IndexedMesh& triangles) {
   const std::vector<bool> with_faces = primitives_with_faces(model.meshes[mesh], triangles);
@@ -91,6 +100,8 @@ std::string why_kept(const Json& document, const Model& model, std::size_t mesh,
     if (has_volume(document, document["meshes"][mesh]["primitives"][p])) return "its material has a thickness";
   }
   const bool has_joints = n_joint_sets(model.meshes[mesh]) > 0;
+  if (!has_joints && has_foreign_weights(document, model.meshes[mesh]))
+    return "an extension may blend its morph targets";
   bool is_used = false;
   for (std::size_t n = 0; n < model.nodes.size(); ++n) {
     if (model.nodes[n].mesh != mesh) continue;
