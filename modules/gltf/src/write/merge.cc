@@ -92,11 +92,9 @@ bool stands_still(const Json& document, const Model& model, const std::set<std::
   return true;
 }
 
-bool has_thickness(const Json& document, const Primitive& primitive) {
+bool has_thickness_in(const Json& document, const Primitive& primitive) {
   const Json& materials = elements_of(document, "materials");
-  if (!primitive.material || *primitive.material >= materials.size()) return false;
-  const Json* const extensions = member(materials[*primitive.material], "extensions");
-  return extensions && member(*extensions, "KHR_materials_volume");
+  return primitive.material && *primitive.material < materials.size() && has_thickness(materials[*primitive.material]);
 }
 
 /// Whether the triangles of a mesh may be another's.
@@ -107,7 +105,7 @@ bool is_movable(const Json& document, const Model& model, std::size_t mesh, std:
   if (!model.nodes[node].is_shown) return false;
   const std::vector<Primitive>& primitives = model.meshes[mesh].primitives;
   return std::all_of(primitives.begin(), primitives.end(), [&](const Primitive& primitive) {
-    return primitive.is_surface() && primitive.targets.empty() && !has_thickness(document, primitive) &&
+    return primitive.is_surface() && primitive.targets.empty() && !has_thickness_in(document, primitive) &&
            !primitive.attribute("JOINTS_0");
   });
 }

@@ -52,19 +52,15 @@ bool is_valid(const Model& model, const Json& skin) {
   return accessor.shape == ElementShape{4, 4} && accessor.count >= elements_of(skin, "joints").size();
 }
 
-/// Whether the thickness of a material, which is a length of the mesh, would change.
-bool has_volume(const Json& document, const Json& primitive) {
+/// Whether a material that a primitive has, or may be given, has a thickness.
+bool may_have_thickness(const Json& document, const Json& primitive) {
   const Json& materials = elements_of(document, "materials");
-  const auto is_volume = [](const Json& material) {
-    const Json* const extensions = member(material, "extensions");
-    return extensions && member(*extensions, "KHR_materials_volume");
-  };
   const Json* const extensions = member(primitive, "extensions");
   if (extensions && member(*extensions, "KHR_materials_variants")) {
-    return std::any_of(materials.begin(), materials.end(), is_volume);
+    return std::any_of(materials.begin(), materials.end(), has_thickness);
   }
   const std::optional<std::size_t> number = number_in(primitive, "material");
-  return number && *number < materials.size() && is_volume(materials[*number]);
+  return number && *number < materials.size() && has_thickness(materials[*number]);
 }
 
 std::string why_node_forbids(const Model& model, const Json& document, std::size_t number, bool has_joints) {
@@ -97,7 +93,7 @@ std::string why_kept(const Json& document, const Model& model, std::size_t mesh,
   const std::vector<bool> lost = lost_primitives(model, model.meshes[mesh], triangles);
   for (std::size_t p = 0; p < lost.size(); ++p) {
     if (!with_faces[p] && !lost[p]) return "it has lines, points or something else";
-    if (has_volume(document, document["meshes"][mesh]["primitives"][p])) return "its material has a thickness";
+    if (may_have_thickness(document, document["meshes"][mesh]["primitives"][p])) return "its material has a thickness";
   }
   const bool has_joints = n_joint_sets(model.meshes[mesh]) > 0;
   if (!has_joints && has_foreign_weights(document, model.meshes[mesh]))

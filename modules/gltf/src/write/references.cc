@@ -151,6 +151,11 @@ bool is_plain_type(std::string_view name, const Json& accessor, bool is_target) 
 
 }  // namespace
 
+bool has_thickness(const Json& material) {
+  const Json* const extensions = member(material, "extensions");
+  return extensions && member(*extensions, "KHR_materials_volume");
+}
+
 const Json& elements_of(const Json& object, std::string_view name) {
   static const Json none = Json::array();
   const Json* const found = member(object, name);

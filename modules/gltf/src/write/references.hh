@@ -4,6 +4,7 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "document/json.hh"
@@ -28,6 +29,9 @@ std::set<std::string> extensions_in(const Json& document);
 
 /// Whether attributes of primitives have types that only KHR_mesh_quantization allows.
 bool needs_quantization(const Json& document);
+
+/// Whether a material has a thickness (KHR_materials_volume), which is a length in the coordinates of its meshes.
+bool has_thickness(const Json& material);
 
 /// The elements of an array; none where there is no array of that name.
 const Json& elements_of(const Json& object, std::string_view name);
