@@ -45,8 +45,8 @@ TEST(GltfQuantize, PutsTheScaleIntoANodeOfTheMesh) {
   EXPECT_EQ(document["nodes"][1]["mesh"], 0);
   EXPECT_THAT(document["nodes"][1]["weights"], ElementsAre(0, 1)) << "they go with the mesh";
   const Json& primitive = document["meshes"][0]["primitives"][0];
-  EXPECT_EQ(document["accessors"][primitive["attributes"]["POSITION"].get<int>()]["componentType"], 5123);
-  EXPECT_EQ(document["accessors"][primitive["targets"][1]["POSITION"].get<int>()]["componentType"], 5122);
+  EXPECT_EQ(document["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()]["componentType"], 5123);
+  EXPECT_EQ(document["accessors"][primitive["targets"][1]["POSITION"].get<std::size_t>()]["componentType"], 5122);
   EXPECT_TRUE(asset.warnings({.quantize = true}).empty());
   expect_same_poses(asset, quantized(asset));
 }
@@ -62,8 +62,8 @@ TEST(GltfQuantize, PutsTheScaleIntoTheSkin) {
   expect_same_poses(asset, again);
   const Json json = document_of(again);
   const Json& attributes = json["meshes"][0]["primitives"][0]["attributes"];
-  EXPECT_EQ(json["accessors"][attributes["JOINTS_0"].get<int>()]["componentType"], 5121);
-  EXPECT_EQ(json["accessors"][attributes["WEIGHTS_0"].get<int>()]["componentType"], 5121);
+  EXPECT_EQ(json["accessors"][attributes["JOINTS_0"].get<std::size_t>()]["componentType"], 5121);
+  EXPECT_EQ(json["accessors"][attributes["WEIGHTS_0"].get<std::size_t>()]["componentType"], 5121);
 }
 
 TEST(GltfQuantize, GivesMeshesOfOneSkinOneScale) {
