@@ -17,6 +17,7 @@ void setup_convert(CLI::App& app, Command& command);
 void setup_verify(CLI::App& app, Command& command);
 void setup_lod(CLI::App& app, Command& command);
 void setup_replay(CLI::App& app, Command& command);
+void setup_bake(CLI::App& app, Command& command);
 void setup_geomorph(CLI::App& app, Command& command);
 void setup_report(CLI::App& app, Command& command);
 
@@ -25,8 +26,8 @@ void setup_completion(CLI::App& app, Command& command);
 void setup_man(CLI::App& app, Command& command);
 
 /// All subcommands, in the order of the help.
-inline constexpr std::array all_subcommands{setup_simplify, setup_measure,    setup_info, setup_polish, setup_compare,
-                                            setup_convert,  setup_verify,     setup_lod,  setup_replay, setup_geomorph,
-                                            setup_report,   setup_completion, setup_man};
+inline constexpr std::array all_subcommands{
+    setup_simplify, setup_measure, setup_info,   setup_polish,   setup_compare, setup_convert,    setup_verify,
+    setup_lod,      setup_bake,    setup_replay, setup_geomorph, setup_report,  setup_completion, setup_man};
 
 }  // namespace whittle::app

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
@@ -41,7 +42,9 @@ Json add_accessors(const IndexedMesh& mesh, Json& document) {
   for (const char* const bound : {"min", "max"}) accessors[0][bound] = {0, 0, 0};
   if (!mesh.normals.empty()) add("NORMAL", "VEC3");
   if (!mesh.colors.empty()) add("COLOR_0", "VEC4", ScalarType::uint16);
-  for (const Attribute& attribute : mesh.attributes) add(attribute.name, "VEC2");
+  for (const Attribute& attribute : mesh.attributes) {
+    add(attribute.name, attribute.kind == AttributeKind::tangent ? "VEC4" : "VEC2");
+  }
   return attributes;
 }
 
@@ -88,17 +91,20 @@ std::string add_buffer(const NewAsset& asset, Json& document) {
   for (const Image* image : images) {
     add_image(*image, asset.embeds_images || !has_file_inside(*image), buffer, document);
   }
+  if (asset.shading.normal_map) add_image(*asset.shading.normal_map, true, buffer, document);
   constexpr int repeat = 10497;
-  if (!images.empty()) document["samplers"].push_back({{"wrapS", repeat}, {"wrapT", repeat}});
+  if (document.contains("images")) document["samplers"].push_back({{"wrapS", repeat}, {"wrapT", repeat}});
   document["buffers"].push_back(Json::object({{"byteLength", buffer.size()}}));
   return buffer;
 }
 
-Json material_json(const Material& material, const std::vector<const Image*>& images, bool has_transparency) {
+Json material_json(const Material& material, const Shading& shading, const std::vector<const Image*>& images,
+                   bool has_transparency) {
   Color color{};
   const std::array<double, 4> factor = base_color_factor(material);
   std::transform(factor.begin(), factor.end(), color.begin(), [](double share) { return static_cast<float>(share); });
-  Json look = {{"baseColorFactor", color}, {"metallicFactor", 0}, {"roughnessFactor", 1}};
+  Json look = {
+      {"baseColorFactor", color}, {"metallicFactor", shading.metalness}, {"roughnessFactor", shading.roughness}};
   if (material.base_color_texture) {
     const auto image = std::find(images.begin(), images.end(), material.base_color_texture->image.get());
     look["baseColorTexture"]["index"] = image - images.begin();
@@ -108,6 +114,8 @@ Json material_json(const Material& material, const std::vector<const Image*>& im
   json["pbrMetallicRoughness"] = std::move(look);
   if (has_transparency || material.alpha_mode == Alpha::blend) json["alphaMode"] = "BLEND";
   if (material.double_sided) json["doubleSided"] = true;
+  if (shading.normal_map) json["normalTexture"]["index"] = images.size();
+  if (shading.is_unlit) json["extensions"]["KHR_materials_unlit"] = Json::object();
   return json;
 }
 
@@ -137,10 +145,16 @@ void drop_unused(NewAsset& asset) {
   asset.materials = std::move(used);
 }
 
-/// Leaves texture coordinates alone, under the names of glTF.
-void keep_texcoords(IndexedMesh& mesh) {
+/// Leaves texture coordinates and tangents alone, under the names of glTF.
+void keep_known_attributes(IndexedMesh& mesh) {
   std::vector<Attribute> kept;
-  for (const Attribute& attribute : mesh.attributes) {
+  std::vector<Attribute> tangents;
+  for (Attribute& attribute : mesh.attributes) {
+    if (attribute.kind == AttributeKind::tangent && tangents.empty()) {
+      tangents.push_back(std::move(attribute));
+      tangents.front().name = "TANGENT";
+      continue;
+    }
     if (attribute.kind != AttributeKind::texcoord || attribute.n_components < 2) continue;
     Attribute& own = kept.emplace_back(
         Attribute{.name = "TEXCOORD_" + std::to_string(kept.size()), .kind = attribute.kind, .n_components = 2});
@@ -149,6 +163,7 @@ void keep_texcoords(IndexedMesh& mesh) {
       own.values.insert(own.values.end(), value.begin(), value.begin() + 2);
     }
   }
+  std::move(tangents.begin(), tangents.end(), std::back_inserter(kept));
   mesh.attributes = std::move(kept);
 }
 
@@ -184,10 +199,11 @@ Json document_of(const NewAsset& asset) {
   const std::vector<const Image*> images = images_of(asset.materials);
   Json primitives = Json::array();
   for (std::size_t i = 0; i < asset.materials.size(); ++i) {
-    document["materials"].push_back(material_json(asset.materials[i], images, has_transparency));
+    document["materials"].push_back(material_json(asset.materials[i], asset.shading, images, has_transparency));
     primitives.push_back({{"attributes", attributes}, {"material", i}});
   }
   if (const Vec3& t = *asset.translation; !t.isZero(0)) document["nodes"][0]["translation"] = {t.x(), t.y(), t.z()};
+  if (asset.shading.is_unlit) document["extensionsUsed"] = {"KHR_materials_unlit"};
   document["meshes"].push_back({{"name", asset.name}, {"primitives", std::move(primitives)}});
   return document;
 }
@@ -200,7 +216,7 @@ Asset make_asset(NewAsset asset) {
   for_each_level(asset, [&](IndexedMesh& mesh) {
     for (Vec3& p : mesh.positions) p -= *asset.translation;
     refuse_large(mesh.positions);
-    keep_texcoords(mesh);
+    keep_known_attributes(mesh);
     fill_in_normals(mesh);
   });
   Json document = document_of(asset);

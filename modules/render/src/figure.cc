@@ -13,7 +13,7 @@
 #include "gl/scene_buffers.hh"
 #include "gl/shaders.hh"
 #include "image/resolve.hh"
-#include "image/srgb.hh"
+#include "whittle/render/srgb.hh"
 
 namespace whittle::render {
 

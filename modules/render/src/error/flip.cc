@@ -7,7 +7,7 @@
 
 #include "error/colors.hh"
 #include "error/planes.hh"
-#include "image/srgb.hh"
+#include "whittle/render/srgb.hh"
 #include "whittle/render/picture_error.hh"
 
 namespace whittle::render {

@@ -1,7 +1,7 @@
 #include "gl/mark_buffers.hh"
 
 #include "gl/vertex_format.hh"
-#include "image/srgb.hh"
+#include "whittle/render/srgb.hh"
 
 namespace whittle::render {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "image/srgb.hh"
+#include "whittle/render/srgb.hh"
 #include "whittle/render/picture.hh"
 
 namespace whittle::render {

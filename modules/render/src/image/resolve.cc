@@ -1,6 +1,6 @@
 #include "image/resolve.hh"
 
-#include "image/srgb.hh"
+#include "whittle/render/srgb.hh"
 #include "whittle/render/draw.hh"
 
 namespace whittle::render {

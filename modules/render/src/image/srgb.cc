@@ -1,4 +1,4 @@
-#include "image/srgb.hh"
+#include "whittle/render/srgb.hh"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "image/srgb.hh"
+#include "whittle/render/srgb.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle::render {
