@@ -70,13 +70,28 @@ BakeRun baked_files(const BakeCommand& options, const Talk& talk) {
   return run;
 }
 
-Json bake_json(const BakeCommand& options, const BakeRun& run, double total_seconds) {
+OptionRows setting_rows(BakeCommand& options) {
+  OptionRows rows{{.names = "--texture-size",
+                   .access = count(options.texture_size, least_texture_size, largest_texture_size),
+                   .help = "texels along a side of the new texture, a power of two",
+                   .standard = "by HIGH's texture, at most 4096",
+                   .key = "texture_size"},
+                  {.names = "--no-normal-map",
+                   .access = flag(options.makes_normal_map, false),
+                   .help = "make no map of HIGH's normals",
+                   .key = "normal_map"}};
+  append(rows, input_rows(options.files));
+  return rows;
+}
+
+Json bake_json(BakeCommand& options, const BakeRun& run, double total_seconds) {
   const auto diagonal = [](const Input& input) { return diagonal_of(bounds_of(input.read.mesh)); };
   const BakedScene& baked = *run.baked;
   Json json = new_report();
   json["detailed"] = input_json(run.detailed, diagonal(run.detailed));
   json["coarse"] = input_json(run.coarse, diagonal(run.coarse));
   json["output"] = {{"path", options.output}, {"vertices", baked.n_vertices}, {"faces", baked.n_faces}};
+  json["options"] = options_json(setting_rows(options));
   json["texture"] = {{"size", baked.texture_size},
                      {"charts", baked.n_charts},
                      {"normal_map", baked.has_normal_map},
@@ -117,15 +132,8 @@ OptionRows bake_rows(BakeCommand& options) {
   OptionRows rows{
       file_argument("HIGH", options.detailed, "the detailed file, with a texture or with colours at vertices"),
       file_argument("LOW", options.coarse, "a simplified mesh of HIGH; its look doesn't count"),
-      output_row(options.output, "a .glb file, replaced if it exists, or '-' for standard output"),
-      {.names = "--texture-size",
-       .access = count(options.texture_size, least_texture_size, largest_texture_size),
-       .help = "texels along a side of the new texture, a power of two",
-       .standard = "by HIGH's texture, at most 4096"},
-      {.names = "--no-normal-map",
-       .access = flag(options.makes_normal_map, false),
-       .help = "make no map of HIGH's normals"}};
-  append(rows, input_rows(options.files));
+      output_row(options.output, "a .glb file, replaced if it exists, or '-' for standard output")};
+  append(rows, setting_rows(options));
   append(rows, common_rows(options.common));
   return rows;
 }
@@ -136,9 +144,9 @@ void setup_bake(CLI::App& app, Command& command) {
   const SubcommandText text{"bake", "Draw the colours of a mesh on a simplified one, with a new texture.",
                             "HIGH LOW -o OUT [OPTION]...",
                             "Examples:\n"
-                            "  whittle convert scan.glb bare.ply\n"
-                            "  whittle simplify bare.ply -o low.ply --faces 5000\n"
-                            "  whittle bake scan.glb low.ply -o small.glb --texture-size 2048"};
+                            "  whittle simplify scan.glb -o low.ply --faces 5000 --attributes position-only\n"
+                            "  whittle bake scan.glb low.ply -o small.glb\n"
+                            "  whittle bake scan.ply low.ply -o small.glb --texture-size 2048"};
   BakeCommand defaults;
   defaults.files.reads_documents = true;
   defaults.files.scope = SceneScope::scene;

@@ -332,6 +332,24 @@ TEST(ReportKeys, OfConvertAreDocumented) {
                   {bare, folder / "out.glb", "--input-format", "obj", "--compress", "--quantize", "--merge-meshes"}});
 }
 
+TEST(ReportKeys, OfBakeAreDocumented) {
+  const TemporaryFolder folder;
+  if (!has_pictures(folder)) GTEST_SKIP() << "no pictures";
+  IndexedMesh mesh = sphere(3);
+  mesh.colors.assign(mesh.positions.size(), {1, 0.5F, 0, 1});
+  const std::string high = folder / "high.ply";
+  io::write_mesh(high, mesh);
+  const std::string bare = folder / "bare";
+  std::filesystem::copy_file(high, bare);
+  const std::string low = folder / "low.ply";
+  io::write_mesh(low, sphere(1));
+  const std::string out = folder / "out.glb";
+  expect_documented("bake", {{high, low, "-o", out, "--quiet", "--no-weld", "--threads", "1"},
+                             {bare, bare, "--output", out, "--format", "ply", "--texture-size", "64", "--force"},
+                             {bare, bare, "-o", out, "--input-format", "ply", "--no-normal-map", "--weld", "auto",
+                              "--verbose", "--color", "never"}});
+}
+
 /// Writes recordings of the terrain: one with its mesh, and one without.
 void write_recordings(const TemporaryFolder& folder, const std::string& rec, const std::string& bare) {
   const std::vector<std::string> simplify{
