@@ -61,6 +61,7 @@ std::vector<Json> used_materials(const Json& document) {
     }
   }
   std::vector<Json> materials;
+  materials.reserve(numbers.size());
   for (const std::size_t number : numbers) materials.push_back(document.at("materials").at(number));
   return materials;
 }
@@ -70,15 +71,14 @@ gltf::Shading common_shading(const Scene& scene) {
   if (!scene.document) return {};
   std::optional<gltf::Shading> common;
   for (const Json& material : used_materials(Json::parse(gltf_asset_of(scene).document()))) {
-    const std::string name = "material '" + material.value("name", std::string("without a name")) + "'";
+    const std::string name = scene.name + ": material '" + material.value("name", std::string("without a name"));
     if (const std::string use = unbaked_use(material); !use.empty()) {
-      throw UnsupportedMesh(scene.name + ": " + name + " has " + use +
+      throw UnsupportedMesh(name + "' has " + use +
                             "; bake takes base colours alone. 'whittle simplify' keeps all of a material");
     }
     const gltf::Shading shading = shading_of(material);
     if (common && !are_equal(*common, shading)) {
-      throw UnsupportedMesh(scene.name + ": " + name +
-                            " has another metalness or roughness than others; bake makes one material of all");
+      throw UnsupportedMesh(name + "' has another metalness or roughness than others; bake makes one material of all");
     }
     common = shading;
   }

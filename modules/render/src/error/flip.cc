@@ -7,8 +7,8 @@
 
 #include "error/colors.hh"
 #include "error/planes.hh"
-#include "whittle/render/srgb.hh"
 #include "whittle/render/picture_error.hh"
+#include "whittle/render/srgb.hh"
 
 namespace whittle::render {
 

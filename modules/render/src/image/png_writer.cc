@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "whittle/render/srgb.hh"
 #include "whittle/render/picture.hh"
+#include "whittle/render/srgb.hh"
 
 namespace whittle::render {
 

@@ -1,7 +1,7 @@
 #include "image/resolve.hh"
 
-#include "whittle/render/srgb.hh"
 #include "whittle/render/draw.hh"
+#include "whittle/render/srgb.hh"
 
 namespace whittle::render {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "whittle/render/srgb.hh"
 #include "whittle/core/wedges.hh"
+#include "whittle/render/srgb.hh"
 
 namespace whittle::render {
 
