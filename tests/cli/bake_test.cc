@@ -118,6 +118,13 @@ TEST_F(BakeCommand, RefusesALookThatItWouldLose) {
   }
 }
 
+TEST_F(BakeCommand, RefusesInvalidMaterials) {
+  for (const Json& material : {Json{{"pbrMetallicRoughness", {{"metallicFactor", "much"}}}},
+                               Json{{"extensions", {1, 2}}}, Json{{"emissiveFactor", "red"}}}) {
+    expect_failure(bake_with(material), 4, {"changed.gltf", "material"});
+  }
+}
+
 TEST_F(BakeCommand, RefusesWhatItCannotDo) {
   expect_failure(bake(low_), 4, {"low.ply", "no colours"});
   expect_usage_error(whittle({"bake", high_, low_, "-o", folder_ / "out.ply"}), {"--output", ".glb"});

@@ -13,6 +13,7 @@
 #include "terminal/table.hh"
 #include "whittle/bake/bake.hh"
 #include "whittle/gltf/make_asset.hh"
+#include "whittle/io/errors.hh"
 #include "whittle/render/picture.hh"
 #include "whittle/scene/errors.hh"
 #include "whittle/scene/gltf_asset.hh"
@@ -66,23 +67,37 @@ std::vector<Json> used_materials(const Json& document) {
   return materials;
 }
 
+/// "scan.glb: material 'bark'"
+std::string name_of_material(const Scene& scene, const Json& material) {
+  return scene.name + ": material '" + material.value("name", std::string("without a name")) + "'";
+}
+
 /// The shading that all materials have. \throw UnsupportedMesh if there is none, or if a material has more to show
-gltf::Shading common_shading(const Scene& scene) {
-  if (!scene.document) return {};
+gltf::Shading common_shading(const Scene& scene, const Json& document) {
   std::optional<gltf::Shading> common;
-  for (const Json& material : used_materials(Json::parse(gltf_asset_of(scene).document()))) {
-    const std::string name = scene.name + ": material '" + material.value("name", std::string("without a name"));
+  for (const Json& material : used_materials(document)) {
     if (const std::string use = unbaked_use(material); !use.empty()) {
-      throw UnsupportedMesh(name + "' has " + use +
+      throw UnsupportedMesh(name_of_material(scene, material) + " has " + use +
                             "; bake takes base colours alone. 'whittle simplify' keeps all of a material");
     }
     const gltf::Shading shading = shading_of(material);
     if (common && !are_equal(*common, shading)) {
-      throw UnsupportedMesh(name + "' has another metalness or roughness than others; bake makes one material of all");
+      throw UnsupportedMesh(name_of_material(scene, material) +
+                            " has another metalness or roughness than others; bake makes one material of all");
     }
     common = shading;
   }
   return common.value_or(gltf::Shading{});
+}
+
+/// Likewise. \throw io::ReadError for a material that isn't valid
+gltf::Shading shading_of_all(const Scene& scene) {
+  if (!scene.document) return {};
+  try {
+    return common_shading(scene, Json::parse(gltf_asset_of(scene).document()));
+  } catch (const Json::exception&) {
+    throw io::ReadError(scene.name, "a material has a value of a wrong type");
+  }
 }
 
 bool has_colors(const render::Scene& scene) {
@@ -144,8 +159,8 @@ bake::Baked baked_onto(const render::Scene& look, const Scene& coarse, const Bak
 }  // namespace
 
 BakedScene bake_scene(const Scene& detailed, const Scene& coarse, const BakeSettings& settings) {
-  gltf::Shading shading = common_shading(detailed);
   const ReadScene look = read_look(detailed);
+  gltf::Shading shading = shading_of_all(detailed);
   BakeSettings lit = settings;
   lit.makes_normal_map = settings.makes_normal_map && !shading.is_unlit;
   bake::Baked baked = baked_onto(look.scene, coarse, lit);

@@ -35,7 +35,7 @@ struct BakedScene {
 /// Bakes the colours of a file onto the surface of another one.
 /// \param coarse with at least one face \pre `require_pictures`
 /// \throw UnsupportedMesh for a detailed file without colours, or with a look that isn't baked, and if it is elsewhere
-///        than the coarse one; Cancelled
+///        than the coarse one; io::ReadError for an invalid material; Cancelled
 BakedScene bake_scene(const Scene& detailed, const Scene& coarse, const BakeSettings& settings);
 
 }  // namespace whittle::app
