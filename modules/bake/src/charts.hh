@@ -9,7 +9,7 @@ namespace whittle::bake {
 
 /// Faces that are projected together.
 struct Chart {
-  Vec3 axis;                 ///< Unit length; the fronts of its faces show against it.
+  Vec3 axis;                 ///< Unit length, on the side of the faces' fronts.
   std::vector<Index> faces;  ///< In the order of growth.
 };
 

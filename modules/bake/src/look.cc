@@ -150,24 +150,24 @@ Place Look::nearest(const Vec3& point, const Vec3& normal, double near) const {
   return {best.face, is_point ? Barycentric{0, 0} : at, std::sqrt(best.distance_sq), faces_same_way};
 }
 
-Look::Corner Look::find(std::size_t face) const {
+Look::PartFace Look::find(std::size_t face) const {
   const auto after = std::upper_bound(parts_.begin(), parts_.end(), face,
                                       [](std::size_t f, const Part& part) { return f < part.first_face; });
   const Part& part = *(after - 1);
   return {&part, face - part.first_face};
 }
 
-const Look::Group& Look::group_of(const Corner& corner) {
-  const Part& part = *corner.part;
-  const std::size_t group = part.mesh.face_groups.empty() ? 0 : part.mesh.face_groups[corner.face];
+const Look::Group& Look::group_of(const PartFace& own) {
+  const Part& part = *own.part;
+  const std::size_t group = part.mesh.face_groups.empty() ? 0 : part.mesh.face_groups[own.face];
   return part.groups[std::min(group, part.groups.size() - 1)];
 }
 
 Vec3 Look::color(const Place& place) const {
-  const Corner corner = find(place.face);
-  const Part& part = *corner.part;
-  const Group& group = group_of(corner);
-  const auto [a, b, c] = wedges_of(part.mesh, corner.face);
+  const PartFace own = find(place.face);
+  const Part& part = *own.part;
+  const Group& group = group_of(own);
+  const auto [a, b, c] = wedges_of(part.mesh, own.face);
   Vec3 color = group.factor;
   if (group.texture) {
     const Attribute& texcoords = group.texture->texcoords();
@@ -182,9 +182,9 @@ Vec3 Look::color(const Place& place) const {
 }
 
 Vec3 Look::normal(const Place& place) const {
-  const Corner corner = find(place.face);
-  const Part& part = *corner.part;
-  const auto [a, b, c] = part.normals.empty() ? wedges_of(part.mesh, corner.face) : part.mesh.faces[corner.face];
+  const PartFace own = find(place.face);
+  const Part& part = *own.part;
+  const auto [a, b, c] = part.normals.empty() ? wedges_of(part.mesh, own.face) : part.mesh.faces[own.face];
   const auto& normals = part.normals.empty() ? part.mesh.normals : part.normals;
   const Vec3 mean = blended(direction(normals[a]), direction(normals[b]), direction(normals[c]), place.at);
   const double length = mean.norm();

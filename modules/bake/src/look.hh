@@ -71,14 +71,14 @@ class Look {
     std::size_t first_face;
     bool has_srgb_colors;
   };
-  struct Corner {
+  struct PartFace {
     const Part* part;
     std::size_t face;  ///< of the part
   };
 
   void add(const render::Scene& scene, const render::Part& part);
-  Corner find(std::size_t face) const;
-  static const Group& group_of(const Corner& corner);
+  PartFace find(std::size_t face) const;
+  static const Group& group_of(const PartFace& own);
 
   std::vector<Part> parts_;
   IndexedMesh all_;

@@ -41,9 +41,10 @@ struct Baked {
 /// Bakes the base colours of a scene onto a mesh: texture times factor times vertex colour, opacity aside. Each place
 /// of the mesh gets the look of the nearest place of the scene that faces the same way, within reach; of the nearest
 /// one at all if there is none. A texel is the mean, in linear light, of 1 to 16 places, about one for each texel of
-/// the scene. Texels between the charts get the colours of their neighbours. \param detailed with images, at least one
-/// face \param coarse placed like the scene \throw std::invalid_argument for a size that isn't allowed, or as `unwrap`;
-/// Cancelled
+/// the scene. Texels between the charts get the colours of their neighbours.
+/// \param detailed with images, at least one face
+/// \param coarse placed like the scene
+/// \throw std::invalid_argument for a size that isn't allowed, or as `unwrap`; Cancelled
 Baked bake(const render::Scene& detailed, const IndexedMesh& coarse, const BakeOptions& options = {});
 
 }  // namespace whittle::bake

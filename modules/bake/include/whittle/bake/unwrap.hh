@@ -18,10 +18,10 @@ struct Unwrapping {
 
 /// Makes charts of connected faces that turn by less than 60° from an axis, projects each along its axis, and packs
 /// them by rows, all at one scale: a face has at least half as many texels as one that lies across its axis. Between
-/// two charts are 2 texels, or a 512th of the image if that is more. The result is the same on all machines. \param
-/// mesh with a face that has an area; positions finite, an extent of at most 1e70 \param image_size texels along a
-/// side, a power of two from 16 on \throw std::invalid_argument if the mesh has no area, or more charts than the image
-/// has room for
+/// two charts are 2 texels, or a 512th of the image if that is more. The result is the same on all machines.
+/// \param mesh with a face that has an area; positions finite, an extent of at most 1e70
+/// \param image_size texels along a side, a power of two from 16 on
+/// \throw std::invalid_argument if the mesh has no area, or more charts than the image has room for
 Unwrapping unwrap(const IndexedMesh& mesh, std::size_t image_size);
 
 }  // namespace whittle::bake
