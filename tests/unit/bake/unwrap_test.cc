@@ -64,8 +64,10 @@ std::vector<int> coverage(const Unwrapping& layout, int n) {
     const auto [a, b, c] = on_image(layout, f);
     const double area = detail::area_on_image(a, b, c);
     if (std::abs(area) < 1e-12) continue;
-    for (int y = 0; y < n; ++y) {
-      for (int x = 0; x < n; ++x) {
+    const Vec2 low = n * a.cwiseMin(b).cwiseMin(c);
+    const Vec2 high = n * a.cwiseMax(b).cwiseMax(c);
+    for (int y = static_cast<int>(low.y()); y < high.y(); ++y) {
+      for (int x = static_cast<int>(low.x()); x < high.x(); ++x) {
         const Vec2 p((x + 0.5) / n, (y + 0.5) / n);
         const double least = std::min({detail::area_on_image(p, b, c) / area, detail::area_on_image(a, p, c) / area,
                                        detail::area_on_image(a, b, p) / area});
