@@ -118,6 +118,13 @@ TEST_F(BakeCommand, RefusesALookThatItWouldLose) {
   }
 }
 
+TEST_F(BakeCommand, RefusesTransparencyOfEveryFormat) {
+  const std::string obj = folder_ / "glass.obj";
+  write_text(folder_ / "glass.mtl", "newmtl glass\nKd 1 0 0\nd 0.5\n");
+  write_text(obj, "mtllib glass.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl glass\nf 1 2 3\n");
+  expect_failure(bake(obj), 4, {"glass.obj", "transparency"});
+}
+
 TEST_F(BakeCommand, RefusesInvalidMaterials) {
   for (const Json& material : {Json{{"pbrMetallicRoughness", {{"metallicFactor", "much"}}}},
                                Json{{"extensions", {1, 2}}}, Json{{"emissiveFactor", "red"}}}) {

@@ -25,6 +25,7 @@ using Json = nlohmann::json;
 
 static_assert(least_texture_size == bake::least_texture_size && largest_texture_size == bake::largest_texture_size);
 
+constexpr char base_colors_alone[] = "; bake takes base colours alone. 'whittle simplify' keeps all of a material";
 constexpr char unlit[] = "KHR_materials_unlit";
 
 /// The material's use of something that no base colour can show; empty if there is none.
@@ -35,7 +36,6 @@ std::string unbaked_use(const Json& material) {
   if (material.contains("occlusionTexture")) return "a map of occlusion";
   const std::vector<double> none(3, 0);
   if (material.contains("emissiveTexture") || material.value("emissiveFactor", none) != none) return "emission";
-  if (material.value("alphaMode", "OPAQUE") != "OPAQUE") return "transparency";
   const Json extensions = material.value("extensions", Json::object());
   for (const auto& extension : extensions.items()) {
     if (extension.key() != unlit) return extension.key();
@@ -77,8 +77,7 @@ gltf::Shading common_shading(const Scene& scene, const Json& document) {
   std::optional<gltf::Shading> common;
   for (const Json& material : used_materials(document)) {
     if (const std::string use = unbaked_use(material); !use.empty()) {
-      throw UnsupportedMesh(name_of_material(scene, material) + " has " + use +
-                            "; bake takes base colours alone. 'whittle simplify' keeps all of a material");
+      throw UnsupportedMesh(name_of_material(scene, material) + " has " + use + base_colors_alone);
     }
     const gltf::Shading shading = shading_of(material);
     if (common && !are_equal(*common, shading)) {
@@ -100,30 +99,35 @@ gltf::Shading shading_of_all(const Scene& scene) {
   }
 }
 
-bool has_colors(const render::Scene& scene) {
-  return std::any_of(scene.parts.begin(), scene.parts.end(), [](const render::Part& part) {
-    return !part.mesh->colors.empty() ||
-           std::any_of(part.materials.begin(), part.materials.end(), [](const Material& material) {
-             return material.base_color_texture || material.base_color != Material{}.base_color;
-           });
+/// Whether a material of the scene has a property. \param has of a material
+template <class Has>
+bool any_material(const render::Scene& scene, const Has& has) {
+  return std::any_of(scene.parts.begin(), scene.parts.end(), [&](const render::Part& part) {
+    return std::any_of(part.materials.begin(), part.materials.end(), has);
   });
 }
 
-/// What the detailed file looks like. \throw UnsupportedMesh if it has no colours, or an image can't be read
+bool has_colors(const render::Scene& scene) {
+  return any_material(scene,
+                      [](const Material& material) {
+                        return material.base_color_texture || material.base_color != Material{}.base_color;
+                      }) ||
+         std::any_of(scene.parts.begin(), scene.parts.end(),
+                     [](const render::Part& part) { return !part.mesh->colors.empty(); });
+}
+
+/// What the detailed file looks like. \throw UnsupportedMesh if it has no colours or transparent ones, or an image
+/// can't be read
 ReadScene read_look(const Scene& detailed) {
   ReadScene look = read_scene(detailed);
   if (!look.warnings.empty()) throw UnsupportedMesh(detailed.name + ": " + look.warnings.front());
+  if (any_material(look.scene, [](const Material& material) { return material.alpha_mode != Alpha::opaque; })) {
+    throw UnsupportedMesh(detailed.name + ": a material has transparency" + base_colors_alone);
+  }
   if (!has_colors(look.scene)) {
     throw UnsupportedMesh(detailed.name + ": it has no colours to bake: no texture, and none at vertices");
   }
   return look;
-}
-
-bool shows_both_sides(const render::Scene& scene) {
-  return std::any_of(scene.parts.begin(), scene.parts.end(), [](const render::Part& part) {
-    return std::any_of(part.materials.begin(), part.materials.end(),
-                       [](const Material& material) { return material.double_sided; });
-  });
 }
 
 std::shared_ptr<const Image> image_of(const render::Picture& picture, const char* name) {
@@ -169,7 +173,7 @@ BakedScene bake_scene(const Scene& detailed, const Scene& coarse, const BakeSett
   }
   Material material;
   material.name = "baked";
-  material.double_sided = shows_both_sides(look.scene);
+  material.double_sided = any_material(look.scene, [](const Material& part) { return part.double_sided; });
   material.base_color_texture = Texture{.image = image_of(baked.base_color, "base_color")};
   if (baked.normal_map) shading.normal_map = image_of(*baked.normal_map, "normals");
   const std::size_t n_vertices = baked.mesh.normals.size();

@@ -91,12 +91,13 @@ Baked bake(const render::Scene& detailed, const IndexedMesh& coarse, const BakeO
   detail::ProgressMeter meter(options.progress);
   meter.start("laying out", 0.1);
   const Look look(detailed, options.reach_rel);
-  const auto [size, layout] = layout_of(coarse, options.texture_size, look.texels());
+  const double texels = look.texels();
+  const auto [size, layout] = layout_of(coarse, options.texture_size, texels);
   Baked baked;
   baked.mesh = unwrapped_mesh(coarse, layout, options.makes_normal_map);
   baked.n_charts = layout.right.size();
   meter.start("looking up", 0.9);
-  const ImageGrid grid{size, texel_samples(look.texels(), layout.fill, size)};
+  const ImageGrid grid{size, texel_samples(texels, layout.fill, size)};
   const Texels found = look_up_texels(look, baked.mesh, grid, {options.threads, &meter});
   baked.n_samples = found.n_samples;
   baked.n_missed = found.n_missed;

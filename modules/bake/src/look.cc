@@ -24,9 +24,10 @@ std::array<double, 256> lights_of_8_bits() {
   return lights;
 }
 
-/// The texel that shows at a whole coordinate.
+/// The texel that shows at a whole coordinate; the first one for a number that isn't finite.
 std::size_t wrapped(double at, std::size_t size, Wrap wrap) {
   const auto n = static_cast<double>(size);
+  if (!std::isfinite(at)) return 0;
   if (wrap == Wrap::clamp_to_edge) return static_cast<std::size_t>(std::clamp(at, 0.0, n - 1));
   const double period = wrap == Wrap::repeat ? n : 2 * n;
   const double inside = at - period * std::floor(at / period);
@@ -37,13 +38,6 @@ std::size_t wrapped(double at, std::size_t size, Wrap wrap) {
 template <class Value>
 auto blended(const Value& a, const Value& b, const Value& c, const Barycentric& at) {
   return ((1 - at.second - at.third) * a + at.second * b + at.third * c).eval();
-}
-
-const Attribute* texcoords_of(const IndexedMesh& mesh, const std::string& name) {
-  const auto found = std::find_if(mesh.attributes.begin(), mesh.attributes.end(), [&](const Attribute& attribute) {
-    return attribute.name == name && attribute.n_components >= 2;
-  });
-  return found == mesh.attributes.end() ? nullptr : &*found;
 }
 
 Vec2 texcoord(const Attribute& texcoords, Index wedge) {
@@ -115,7 +109,7 @@ void Look::add(const render::Scene& scene, const render::Part& part) {
     Group& group = own.groups.emplace_back(Group{{factor[0], factor[1], factor[2]}, std::nullopt});
     if (!material.base_color_texture) continue;
     const auto image = scene.images.find(material.base_color_texture->image);
-    const Attribute* const texcoords = texcoords_of(own.mesh, material.base_color_texture->texcoord);
+    const Attribute* const texcoords = render::texcoords_of(own.mesh, *material.base_color_texture);
     if (image != scene.images.end() && texcoords != nullptr) {
       group.texture.emplace(*material.base_color_texture, image->second, *texcoords);
     }
@@ -137,7 +131,7 @@ Place Look::nearest(const Vec3& point, const Vec3& normal, double near) const {
     });
   };
   search(std::min(near, reach_));
-  if (best.face == invalid_index) search(reach_);
+  if (best.face == invalid_index && near < reach_) search(reach_);
   const bool faces_same_way = best.face != invalid_index;
   if (!faces_same_way) {
     best = tree_->nearest_local(offset);

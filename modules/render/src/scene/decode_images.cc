@@ -5,6 +5,13 @@
 
 namespace whittle::render {
 
+const Attribute* texcoords_of(const IndexedMesh& mesh, const Texture& texture) {
+  for (const Attribute& attribute : mesh.attributes) {
+    if (attribute.name == texture.texcoord && attribute.n_components >= 2) return &attribute;
+  }
+  return nullptr;
+}
+
 std::vector<std::string> decode_images(Scene& scene) {
   std::vector<std::string> problems;
   std::set<std::shared_ptr<const Image>> tried;

@@ -73,13 +73,6 @@ SortedFaces sort_by_material(const Part& part, const std::vector<Vec3>& position
   return sorted;
 }
 
-const Attribute* find_texcoords(const IndexedMesh& mesh, const std::string& name) {
-  for (const Attribute& attribute : mesh.attributes) {
-    if (attribute.name == name && attribute.n_components >= 2) return &attribute;
-  }
-  return nullptr;
-}
-
 /// Adds the faces of one part, material by material.
 class PartWriter {
  public:
@@ -129,7 +122,7 @@ class PartWriter {
 
   void begin_batch(const Material& material) {
     Batch& batch = out_.batches.emplace_back(Batch{material, pixels_of(material), out_.indices.size(), 0});
-    texcoords_ = batch.pixels == nullptr ? nullptr : find_texcoords(mesh_, material.base_color_texture->texcoord);
+    texcoords_ = batch.pixels == nullptr ? nullptr : texcoords_of(mesh_, *material.base_color_texture);
     if (texcoords_ == nullptr) {
       batch.material.base_color_texture.reset();
       batch.pixels = nullptr;

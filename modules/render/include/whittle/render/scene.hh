@@ -30,6 +30,9 @@ struct Scene {
   std::map<std::shared_ptr<const Image>, Pixels> images{};
 };
 
+/// The attribute with a texture's coordinates; null if the mesh lacks it.
+const Attribute* texcoords_of(const IndexedMesh& mesh, const Texture& texture);
+
 /// Decodes the images of all textures, each once. \return a line per image that isn't drawn: its name, and the reason
 std::vector<std::string> decode_images(Scene& scene);
 
